@@ -1,0 +1,155 @@
+#include "CollapseCheck.h"
+
+#include <algorithm>
+
+namespace lodsmith {
+
+namespace {
+
+constexpr double kLeastCosine = 0.2;       // a face may turn by up to 78 degrees in one collapse
+constexpr std::uint32_t kHubFaces = 64;    // from here on it is cheaper to ask the neighbours than to walk the hub
+
+bool isApex(const OneRing& ring, std::uint32_t neighbour, std::uint32_t other)
+{
+    for (std::uint32_t i = 0; i < ring.faceCount; ++i)
+        if (ring.contains(ring.faces[i], neighbour) && ring.apexOf(ring.faces[i], neighbour) == other)
+            return true;
+    return false;
+}
+
+bool hasFace(const OneRing& ring, std::uint32_t a, std::uint32_t b)
+{
+    for (std::uint32_t i = 0; i < ring.faceCount; ++i)
+        if (ring.contains(ring.faces[i], a) && ring.contains(ring.faces[i], b))
+            return true;
+    return false;
+}
+
+} // namespace
+
+bool CollapseCheck::allows(const OneRing& ring, std::uint32_t neighbour) const
+{
+    const std::uint32_t destination = ring.neighbour[neighbour];
+    const std::uint32_t onEdge = ring.facesOn(neighbour);
+    if (onEdge == ring.faceCount && onEdge == mMesh.vertices[destination].liveFaces)
+        return false; // nothing would be left of this piece
+    if (mOnBorder[ring.vertex] && mOnBorder[destination] && onEdge != 1)
+        return false;
+    if (turnsFaceOver(ring, neighbour))
+        return false;
+    const bool hub = mMesh.vertices[destination].liveFaces > kHubFaces;
+    return hub ? keepsLinkAtHub(ring, neighbour) : keepsLink(ring, neighbour);
+}
+
+bool CollapseCheck::turnsFaceOver(const OneRing& ring, std::uint32_t neighbour) const
+{
+    const Vec3& e = ring.edge[neighbour];
+    for (std::uint32_t i = 0; i < ring.faceCount; ++i) {
+        const OneRing::RingFace& ringFace = ring.faces[i];
+        if (ring.contains(ringFace, neighbour))
+            continue;
+        const CollapseMesh::Face& face = mMesh.faces[ringFace.face];
+        const Vec3 after = cross(ring.edge[ringFace.second] - e, ring.edge[ringFace.third] - e);
+        const double along = face.normal[0] * after.x + face.normal[1] * after.y + face.normal[2] * after.z;
+        const bool hadNoArea = !(face.area > 0.0f);
+        if (!hadNoArea && !(along > 0.0 && along * along > kLeastCosine * kLeastCosine * lengthSquared(after)))
+            return true;
+    }
+    return false;
+}
+
+/// Walks the destination's faces: a common neighbour must be the apex of a face on the edge, and no face of the destination
+/// may have two corners that a face of the vertex has as well.
+bool CollapseCheck::keepsLink(const OneRing& ring, std::uint32_t neighbour) const
+{
+    const std::uint32_t destination = ring.neighbour[neighbour];
+    mMesh.compactFaceList(destination);
+    const std::uint32_t* list = mMesh.faceList(destination);
+    const std::uint32_t count = mMesh.vertices[destination].liveFaces;
+    bool simple = true;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const CollapseMesh::Face& face = mMesh.faces[list[i]];
+        int others[2];
+        int known = 0;
+        bool onEdge = false;
+        for (std::uint32_t wedge : face.wedge) {
+            const std::uint32_t vertex = mMesh.vertexOf(wedge);
+            onEdge |= vertex == ring.vertex;
+            if (vertex == destination || vertex == ring.vertex)
+                continue;
+            if (const int at = ring.find(vertex); at >= 0)
+                others[known++] = at;
+        }
+        if (onEdge)
+            continue;
+        for (int k = 0; k < known; ++k)
+            if (!isApex(ring, neighbour, static_cast<std::uint32_t>(others[k])))
+                return false;
+        if (known == 2 && hasFace(ring, static_cast<std::uint32_t>(others[0]), static_cast<std::uint32_t>(others[1])))
+            return false;
+    }
+    for (std::uint32_t i = 0; i < ring.neighbourCount; ++i)
+        simple &= ring.facesOn(i) == 2;
+    return simple || keepsEdgesManifold(ring, neighbour);
+}
+
+/// The same asked of the vertex's own neighbours, whose faces are fewer.
+bool CollapseCheck::keepsLinkAtHub(const OneRing& ring, std::uint32_t neighbour) const
+{
+    const std::uint32_t destination = ring.neighbour[neighbour];
+    for (std::uint32_t i = 0; i < ring.neighbourCount; ++i) {
+        if (i == neighbour)
+            continue;
+        const std::uint32_t other = ring.neighbour[i];
+        if (mMesh.vertices[other].liveFaces > OneRing::kMaxFaces)
+            return false;
+        const bool apex = isApex(ring, neighbour, i);
+        mMesh.compactFaceList(other);
+        const std::uint32_t* list = mMesh.faceList(other);
+        for (std::uint32_t k = 0; k < mMesh.vertices[other].liveFaces; ++k) {
+            const CollapseMesh::Face& face = mMesh.faces[list[k]];
+            const std::uint32_t at[3] = {mMesh.vertexOf(face.wedge[0]), mMesh.vertexOf(face.wedge[1]), mMesh.vertexOf(face.wedge[2])};
+            const bool touches = std::find(at, at + 3, destination) != at + 3;
+            if (!touches || std::find(at, at + 3, ring.vertex) != at + 3)
+                continue;
+            if (!apex)
+                return false;
+            for (std::uint32_t vertex : at)
+                if (vertex != destination && vertex != other)
+                    if (const int known = ring.find(vertex); known >= 0 && hasFace(ring, i, static_cast<std::uint32_t>(known)))
+                        return false;
+        }
+    }
+    return keepsEdgesManifold(ring, neighbour);
+}
+
+/// Each apex edge of the destination takes over the faces of the vertex's: it has to stay an edge of the surface, and may
+/// end up with more than two faces only if one of the two had as many.
+bool CollapseCheck::keepsEdgesManifold(const OneRing& ring, std::uint32_t neighbour) const
+{
+    const std::uint32_t destination = ring.neighbour[neighbour];
+    for (std::uint32_t i = 0; i < ring.neighbourCount; ++i) {
+        if (i == neighbour || !isApex(ring, neighbour, i))
+            continue;
+        std::uint32_t between = 0; // faces on the edge with this apex
+        for (std::uint32_t k = 0; k < ring.faceCount; ++k)
+            between += ring.contains(ring.faces[k], neighbour) && ring.contains(ring.faces[k], i);
+        const std::uint32_t apex = ring.neighbour[i];
+        if (mMesh.vertices[apex].liveFaces > OneRing::kMaxFaces)
+            return false;
+        mMesh.compactFaceList(apex);
+        const std::uint32_t* list = mMesh.faceList(apex);
+        std::uint32_t there = 0; // faces on the edge from destination to apex
+        for (std::uint32_t k = 0; k < mMesh.vertices[apex].liveFaces; ++k) {
+            const CollapseMesh::Face& face = mMesh.faces[list[k]];
+            for (std::uint32_t wedge : face.wedge)
+                there += mMesh.vertexOf(wedge) == destination;
+        }
+        const std::uint32_t after = ring.facesOn(i) + there - 2 * between;
+        if (after == 0 || after > std::max({2u, ring.facesOn(i), there}))
+            return false;
+    }
+    return true;
+}
+
+} // namespace lodsmith

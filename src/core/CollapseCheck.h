@@ -1,0 +1,31 @@
+#pragma once
+
+#include "OneRing.h"
+
+#include <vector>
+
+namespace lodsmith {
+
+/// Tells whether a collapse keeps the surface sound: no face turned over, nothing pinched, no face doubled, no edge with
+/// more faces than before, no piece gone.
+///
+/// The link condition (Dey, Edelsbrunner, Guha and Nekhayev 1999), with a border counting as one more vertex, read so that
+/// surfaces which are non-manifold already may still collapse as long as they get no worse.
+class CollapseCheck {
+public:
+    /// @param onBorder for each vertex, whether an edge with one face ends there; kept up to date by the caller
+    CollapseCheck(CollapseMesh& mesh, const std::vector<char>& onBorder) : mMesh(mesh), mOnBorder(onBorder) {}
+
+    bool allows(const OneRing& ring, std::uint32_t neighbour) const;
+
+private:
+    bool turnsFaceOver(const OneRing& ring, std::uint32_t neighbour) const;
+    bool keepsLink(const OneRing& ring, std::uint32_t neighbour) const;
+    bool keepsLinkAtHub(const OneRing& ring, std::uint32_t neighbour) const;
+    bool keepsEdgesManifold(const OneRing& ring, std::uint32_t neighbour) const;
+
+    CollapseMesh& mMesh;
+    const std::vector<char>& mOnBorder;
+};
+
+} // namespace lodsmith

@@ -1,0 +1,116 @@
+#include "CollapseMesh.h"
+
+#include <algorithm>
+
+namespace lodsmith {
+
+std::uint32_t CollapseMesh::subMeshOf(std::uint32_t face) const
+{
+    const auto after = std::upper_bound(firstFaceOfSubMesh.begin(), firstFaceOfSubMesh.end(), face);
+    return static_cast<std::uint32_t>(after - firstFaceOfSubMesh.begin()) - 1;
+}
+
+void CollapseMesh::updatePlane(Face& face) const
+{
+    const Vec3 origin = position(vertexOf(face.wedge[0]));
+    const Vec3 doubled = cross(position(vertexOf(face.wedge[1])) - origin, position(vertexOf(face.wedge[2])) - origin);
+    const double size = length(doubled);
+    const double inverse = size > 0.0 ? 1.0 / size : 0.0;
+    face.normal[0] = static_cast<float>(doubled.x * inverse);
+    face.normal[1] = static_cast<float>(doubled.y * inverse);
+    face.normal[2] = static_cast<float>(doubled.z * inverse);
+    face.area = static_cast<float>(0.5 * size);
+}
+
+void CollapseMesh::buildFaceLists()
+{
+    for (const Face& face : faces)
+        for (std::uint32_t wedge : face.wedge)
+            ++vertices[vertexOf(wedge)].faceCapacity;
+    std::uint32_t first = 0;
+    for (Vertex& vertex : vertices) {
+        vertex.firstFace = first;
+        first += vertex.faceCapacity;
+        vertex.faceSlots = 0;
+    }
+    mFaceLists.reserve(first + first / 4);
+    mFaceLists.resize(first);
+    for (std::uint32_t i = 0; i < faces.size(); ++i)
+        for (std::uint32_t wedge : faces[i].wedge) {
+            Vertex& vertex = vertices[vertexOf(wedge)];
+            mFaceLists[vertex.firstFace + vertex.faceSlots++] = i;
+        }
+    liveFaces = static_cast<std::uint32_t>(faces.size());
+    liveVertices = 0;
+    for (Vertex& vertex : vertices) {
+        vertex.liveFaces = vertex.faceSlots;
+        liveVertices += vertex.liveFaces != 0;
+    }
+}
+
+void CollapseMesh::compactFaceList(std::uint32_t vertexNumber)
+{
+    Vertex& vertex = vertices[vertexNumber];
+    if (vertex.faceSlots == vertex.liveFaces)
+        return;
+    std::uint32_t* list = mFaceLists.data() + vertex.firstFace;
+    std::uint32_t* end = std::remove_if(list, list + vertex.faceSlots, [this](std::uint32_t face) { return isGone(faces[face]); });
+    vertex.faceSlots = static_cast<std::uint32_t>(end - list);
+}
+
+void CollapseMesh::appendFaces(std::uint32_t vertexNumber, const std::uint32_t* added, std::uint32_t count)
+{
+    Vertex& vertex = vertices[vertexNumber];
+    if (vertex.faceSlots + count > vertex.faceCapacity)
+        compactFaceList(vertexNumber);
+    if (vertex.faceSlots + count > vertex.faceCapacity)
+        growFaceList(vertex, vertex.faceSlots + count);
+    std::copy(added, added + count, mFaceLists.begin() + vertex.firstFace + vertex.faceSlots);
+    vertex.faceSlots += count;
+    vertex.liveFaces += count;
+}
+
+void CollapseMesh::growFaceList(Vertex& vertex, std::uint32_t needed)
+{
+    const std::uint32_t capacity = needed + needed / 4 + 1; // a share, so that a hub of many faces is copied seldom
+    if (mFaceLists.size() + capacity > mFaceLists.capacity())
+        compactAllFaceLists();
+    const std::size_t first = mFaceLists.size();
+    mFaceLists.resize(first + capacity);
+    std::copy_n(mFaceLists.begin() + vertex.firstFace, vertex.faceSlots, mFaceLists.begin() + static_cast<std::ptrdiff_t>(first));
+    vertex.firstFace = static_cast<std::uint32_t>(first);
+    vertex.faceCapacity = capacity;
+}
+
+void CollapseMesh::compactAllFaceLists()
+{
+    std::vector<std::uint32_t> order;
+    order.reserve(liveVertices);
+    for (std::uint32_t v = 0; v < vertexCount(); ++v)
+        if (isAlive(v))
+            order.push_back(v);
+    std::sort(order.begin(), order.end(),
+              [this](std::uint32_t a, std::uint32_t b) { return vertices[a].firstFace < vertices[b].firstFace; });
+    std::uint32_t end = 0;
+    for (std::uint32_t v : order) {
+        compactFaceList(v);
+        Vertex& vertex = vertices[v];
+        std::copy_n(mFaceLists.begin() + vertex.firstFace, vertex.faceSlots, mFaceLists.begin() + end);
+        vertex.firstFace = end;
+        vertex.faceCapacity = vertex.faceSlots;
+        end += vertex.faceSlots;
+    }
+    mFaceLists.resize(end);
+}
+
+void CollapseMesh::removeFace(std::uint32_t number)
+{
+    Face& face = faces[number];
+    for (std::uint32_t wedge : face.wedge)
+        if (--vertices[vertexOf(wedge)].liveFaces == 0)
+            --liveVertices;
+    face.wedge[0] = kNone;
+    --liveFaces;
+}
+
+} // namespace lodsmith

@@ -1,0 +1,100 @@
+#pragma once
+
+#include "Vec3.h"
+
+#include <lodsmith/core/LodChain.h>
+#include <lodsmith/core/MeshView.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace lodsmith {
+
+constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+
+/// The mesh while it is being collapsed: welded vertices, their wedges, and triangles over wedges.
+///
+/// A vertex is a position; a wedge is one set of attributes at it, in one vertex buffer. The first wedge of vertex v has
+/// number v, further ones are numbered from vertexCount() on. Positions are scaled by a power of two (exactly) so that
+/// the bounding radius lies in [0.5, 1). Faces keep their numbers for good, so that those of a submesh are a range.
+class CollapseMesh {
+public:
+    /// Two to a cache line. Corner order is the winding.
+    struct Face {
+        std::uint32_t wedge[3]; ///< wedge[0] is kNone when the face is gone
+        float deviation;        ///< bound on the distance between here and the original surface, scaled
+        float normal[3];        ///< unit, or zero on a face without area
+        float area;
+    };
+
+    struct Vertex {
+        float position[3];
+        std::uint32_t firstFace;    ///< where in mFaceLists its faces begin
+        std::uint32_t faceSlots;    ///< entries in use there, some of them possibly faces that are gone
+        std::uint32_t faceCapacity; ///< entries reserved there
+        std::uint32_t liveFaces;    ///< faces not gone
+        std::uint32_t target;       ///< destination of the cheapest collapse, as last evaluated
+    };
+
+    std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(vertices.size()); }
+    std::uint32_t vertexOf(std::uint32_t wedge) const
+    {
+        return wedge < vertices.size() ? wedge : extraWedgeVertex[wedge - vertices.size()];
+    }
+    Vec3 position(std::uint32_t vertex) const
+    {
+        const float* p = vertices[vertex].position;
+        return {p[0], p[1], p[2]};
+    }
+    bool isAlive(std::uint32_t vertex) const { return vertices[vertex].liveFaces != 0; }
+    bool isGone(const Face& face) const { return face.wedge[0] == kNone; }
+    std::uint32_t bufferOf(std::uint32_t wedge) const { return wedgeBuffer.empty() ? 0 : wedgeBuffer[wedge]; }
+    std::uint32_t motionOf(std::uint32_t wedge) const { return wedgeMotion.empty() ? 0 : wedgeMotion[wedge]; }
+    std::uint32_t subMeshOf(std::uint32_t face) const;
+    const float* attributesOf(std::uint32_t wedge) const { return attributes.data() + std::size_t{wedge} * attributeStride; }
+
+    const std::uint32_t* faceList(std::uint32_t vertex) const { return mFaceLists.data() + vertices[vertex].firstFace; }
+
+    /// Drops entries of faces that are gone from a vertex's list.
+    void compactFaceList(std::uint32_t vertex);
+
+    /// Normal and area of a face from its corners' positions.
+    void updatePlane(Face& face) const;
+
+    /// Lists the faces of every vertex; to be called once, when all faces are there.
+    void buildFaceLists();
+
+    /// Adds faces to a vertex's list.
+    void appendFaces(std::uint32_t vertex, const std::uint32_t* added, std::uint32_t count);
+
+    /// Takes a face out; vertices left without a face are gone with it.
+    void removeFace(std::uint32_t face);
+
+    std::vector<Vertex> vertices;
+    std::vector<Face> faces;
+    std::vector<std::uint32_t> firstFaceOfSubMesh; ///< submesh count + 1 entries
+
+    std::vector<std::uint32_t> extraWedgeVertex; ///< vertex of wedge vertexCount() + i
+    std::vector<std::uint32_t> nextWedge;        ///< next wedge at the same vertex, or kNone
+    std::vector<std::uint32_t> wedgeSource;      ///< index in its vertex buffer
+    std::vector<std::uint32_t> wedgeBuffer;      ///< vertex buffer; empty when there is only one
+    std::vector<std::uint32_t> wedgeMotion;      ///< equal where wedges of a vertex move together; empty when all do
+    std::vector<float> importance;               ///< of each vertex, 0..1; empty when all are 0
+
+    std::size_t attributeStride = 0; ///< floats a wedge, a multiple of 4; 0 when no attribute counts
+    std::vector<float> attributes;   ///< scaled and weighted, so that their squares add to squared distances
+
+    std::uint32_t liveVertices = 0;
+    std::uint32_t liveFaces = 0;
+    double scale = 1.0; ///< power of two: scaled = world * scale
+    LodChain summary;   ///< figures of the input, no levels
+
+private:
+    void growFaceList(Vertex& vertex, std::uint32_t needed);
+    void compactAllFaceLists();
+
+    std::vector<std::uint32_t> mFaceLists;
+};
+
+} // namespace lodsmith

@@ -1,0 +1,89 @@
+#include "CurvatureCost.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lodsmith {
+
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kLeastBend = 0.001; // so that on a flat surface short edges go first
+constexpr double kOffBorder = 1.0;   // leaving a border costs as much as a right angle and more
+
+Vec3 normalOf(const CollapseMesh::Face& face)
+{
+    return {face.normal[0], face.normal[1], face.normal[2]};
+}
+
+} // namespace
+
+void CurvatureCost::begin(const CollapseMesh& mesh, const OneRing& ring)
+{
+    mMesh = &mesh;
+    mRing = &ring;
+    mIsBorder = ring.isBorder();
+    const double importance = mesh.importance.empty() ? 0.0 : mesh.importance[ring.vertex];
+    const double factor = importance < 1.0 ? 1.0 / (1.0 - importance) : kInfinite;
+    for (std::uint32_t i = 0; i < ring.neighbourCount; ++i)
+        mCost[i] = mWedges.build(mesh, ring, i) ? (bend(i) + seamPenalty(i)) * length(ring.edge[i]) * factor : kInfinite;
+}
+
+Candidate CurvatureCost::cheapest()
+{
+    const double* best = std::min_element(mCost, mCost + mRing->neighbourCount);
+    if (*best == kInfinite)
+        return {};
+    return {static_cast<int>(best - mCost), static_cast<float>(std::min(*best, 1e30)), *best};
+}
+
+void CurvatureCost::reject(int neighbour)
+{
+    mCost[neighbour] = kInfinite;
+}
+
+double CurvatureCost::bend(std::uint32_t neighbour) const
+{
+    return mIsBorder ? borderBend(neighbour) : interiorBend(neighbour);
+}
+
+double CurvatureCost::borderBend(std::uint32_t neighbour) const
+{
+    if (mRing->facesOn(neighbour) != 1)
+        return kOffBorder;
+    double most = kLeastBend;
+    const Vec3& along = mRing->edge[neighbour];
+    for (std::uint32_t i = 0; i < mRing->neighbourCount; ++i) {
+        if (i == neighbour || mRing->facesOn(i) != 1)
+            continue;
+        const double cosine = dot(along, mRing->edge[i]) / (length(along) * length(mRing->edge[i]));
+        most = std::max(most, 0.5 * (cosine + 1.002));
+    }
+    return most;
+}
+
+double CurvatureCost::interiorBend(std::uint32_t neighbour) const
+{
+    double most = kLeastBend;
+    for (std::uint32_t t = 0; t < mRing->faceCount; ++t) {
+        double least = 1.0;
+        for (std::uint32_t u = 0; u < mRing->faceCount; ++u)
+            if (mRing->contains(mRing->faces[u], neighbour)) {
+                const double cosine = dot(normalOf(mMesh->faces[mRing->faces[t].face]), normalOf(mMesh->faces[mRing->faces[u].face]));
+                least = std::min(least, 0.5 * (1.002 - cosine));
+            }
+        most = std::max(most, least);
+    }
+    return most;
+}
+
+double CurvatureCost::seamPenalty(std::uint32_t neighbour) const
+{
+    if (!mRing->isSeam)
+        return 0.0;
+    const bool toSeam = mMesh->nextWedge[mRing->neighbour[neighbour]] != kNone;
+    return toSeam ? 0.5 * mMesh->summary.radius : mMesh->summary.radius;
+}
+
+} // namespace lodsmith

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "CollapseCost.h"
+#include "WedgeMap.h"
+
+namespace lodsmith {
+
+/// Metric::Curvature: the edge's length times how much the surface bends along it, after the system of 2012. Extra costs
+/// keep borders and seams; attributes do not count. See docs/simplifier.md for the formula.
+class CurvatureCost final : public CollapseCost {
+public:
+    void begin(const CollapseMesh& mesh, const OneRing& ring) override;
+    Candidate cheapest() override;
+    void reject(int neighbour) override;
+
+private:
+    double bend(std::uint32_t neighbour) const;
+    double borderBend(std::uint32_t neighbour) const;
+    double interiorBend(std::uint32_t neighbour) const;
+    double seamPenalty(std::uint32_t neighbour) const;
+
+    const CollapseMesh* mMesh = nullptr;
+    const OneRing* mRing = nullptr;
+    bool mIsBorder = false;
+    double mCost[2 * OneRing::kMaxFaces]; ///< infinite when rejected
+    WedgeMap mWedges;
+};
+
+} // namespace lodsmith

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "CollapseMesh.h"
+#include "Vec3.h"
+
+#include <cstdint>
+
+namespace lodsmith {
+
+/// The faces around a vertex and the vertices around those, gathered once for cost, checks, deviation and collapse.
+struct OneRing {
+    /// A vertex with more faces is not collapsed until its neighbours' collapses have made it smaller. This keeps the work
+    /// on a fan of n triangles linear; meshes of ordinary valence never notice.
+    static constexpr std::uint32_t kMaxFaces = 128;
+
+    struct RingFace {
+        std::uint32_t face;
+        std::uint16_t second, third;  ///< neighbours at the next corner and the one after, in winding order
+        std::uint32_t wedge[3];       ///< of this vertex, the second and the third corner
+        std::uint8_t corner;          ///< this vertex's corner in the face
+    };
+
+    std::uint32_t vertex = kNone;
+    Vec3 origin;
+    std::uint32_t faceCount = 0;
+    std::uint32_t neighbourCount = 0;
+    bool isSeam = false; ///< more than one wedge of this vertex is in use
+
+    RingFace faces[kMaxFaces];
+    std::uint32_t neighbour[2 * kMaxFaces];   ///< vertex numbers
+    Vec3 edge[2 * kMaxFaces];                 ///< from this vertex to the neighbour
+    std::uint16_t asSecond[2 * kMaxFaces];    ///< faces that have the neighbour as second corner
+    std::uint16_t asThird[2 * kMaxFaces];     ///< ... as third corner
+
+    /// Fills this ring; false, with an empty ring, when the vertex has no face or too many.
+    bool build(CollapseMesh& mesh, std::uint32_t vertex);
+
+    int find(std::uint32_t vertexNumber) const
+    {
+        for (std::uint32_t i = 0; i < neighbourCount; ++i)
+            if (neighbour[i] == vertexNumber)
+                return static_cast<int>(i);
+        return -1;
+    }
+
+    std::uint32_t facesOn(std::uint32_t i) const { return std::uint32_t{asSecond[i]} + asThird[i]; }
+    bool contains(const RingFace& face, std::uint32_t i) const { return face.second == i || face.third == i; }
+    std::uint32_t apexOf(const RingFace& face, std::uint32_t i) const { return face.second == i ? face.third : face.second; }
+    bool isBorder() const;
+
+private:
+    std::uint16_t indexOf(const CollapseMesh& mesh, std::uint32_t vertexNumber);
+};
+
+} // namespace lodsmith

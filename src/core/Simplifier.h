@@ -1,0 +1,97 @@
+#pragma once
+
+#include "CollapseCheck.h"
+#include "CollapseCost.h"
+#include "CollapseMesh.h"
+#include "CostMultiset.h"
+#include "OneRing.h"
+#include "PatchDeviation.h"
+#include "WedgeMap.h"
+
+#include <lodsmith/core/LodChain.h>
+
+#include <memory>
+#include <vector>
+
+namespace lodsmith {
+
+/// How far a run goes: it stops at the first count that is met, and makes no collapse beyond either limit. Scaled units.
+struct CollapseLimits {
+    std::uint32_t vertices = 0;
+    std::uint32_t triangles = 0;
+    double deviation = 0.0;
+    double length = 0.0;
+};
+
+/// Collapses half-edges, cheapest first, until told to stop; then again, further.
+///
+/// Costs are evaluated lazily: a collapse only marks its neighbours, and a marked vertex is evaluated again when it comes to
+/// the front of the queue. Whether a collapse is allowed is asked of the one in front alone.
+class Simplifier {
+public:
+    Simplifier(CollapseMesh& mesh, std::unique_ptr<CollapseCost> cost);
+
+    /// Vertices that are never removed.
+    void lock(std::uint32_t vertex) { mState[vertex] |= kLocked; }
+    bool isBorder(std::uint32_t vertex) const { return mOnBorder[vertex] != 0; }
+
+    /// Evaluates every vertex once. Before the first run.
+    void evaluateAll();
+
+    /// Continues until the limits are met or nothing is left to collapse. `step` is called now and then; false stops.
+    template <class Step>
+    StopReason run(const CollapseLimits& limits, Step&& step)
+    {
+        requeueStalled();
+        for (std::uint32_t steps = 0; !reached(limits); ++steps) {
+            if (steps % 1024 == 0 && !step())
+                break;
+            if (mQueue.empty() && !requeueStalled())
+                break;
+            advance(limits);
+        }
+        return reached(limits) || mHeldByLimit ? StopReason::TargetReached : whyStuck();
+    }
+
+    double largestDeviation() const { return mLargestDeviation; }
+    double largestLength() const { return mLargestLength; }
+
+private:
+    enum State : std::uint8_t {
+        kQueued = 1,  ///< has an entry in the queue
+        kStale = 2,   ///< its neighbourhood changed since it was evaluated
+        kLocked = 4,
+        kStalled = 8, ///< had no allowed collapse when last looked at
+    };
+
+    bool reached(const CollapseLimits& limits) const;
+    bool requeueStalled();
+    void advance(const CollapseLimits& limits);
+    void enqueue(std::uint32_t vertex, const Candidate& candidate);
+    Candidate nextAllowed(const CollapseLimits& limits, Candidate candidate);
+    bool withinLimits(const CollapseLimits& limits, const Candidate& candidate);
+    void collapse(const Candidate& candidate);
+    void moveFaces(std::uint32_t neighbour);
+    void touchRing();
+    StopReason whyStuck();
+    StopReason whyStuck(std::uint32_t vertex);
+
+    CollapseMesh& mMesh;
+    std::unique_ptr<CollapseCost> mCost;
+    std::vector<char> mOnBorder;
+    CollapseCheck mCheck;
+    CostMultiset mQueue;
+    PatchDeviation mPatchDeviation;
+    OneRing mRing;
+    WedgeMap mWedges;
+    std::vector<std::uint8_t> mState;
+    std::vector<std::uint32_t> mStalled;
+    float mFrontCost = 0.0f;       ///< of the entry looked at last
+    double mPatchBound = 0.0;      ///< deviation of the faces the candidate would make
+    double mLargestDeviation = 0.0;
+    double mLargestLength = 0.0;
+    bool mProgressed = false;      ///< something collapsed since stalled vertices were last queued
+    bool mHeldByLimit = false;     ///< some collapse was refused by this run's limits alone
+};
+
+} // namespace lodsmith

@@ -1,0 +1,205 @@
+#include <lodsmith/core/Simplify.h>
+
+#include "Attributes.h"
+#include "CurvatureCost.h"
+#include "QuadricCost.h"
+#include "Simplifier.h"
+#include "Weld.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <optional>
+
+namespace lodsmith {
+
+namespace {
+
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+std::optional<Error> troubleWith(const std::vector<LevelTarget>& targets, const AttributeWeights& weights)
+{
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        const double amount = targets[i].amount;
+        const bool isShare = targets[i].kind == LevelTarget::Kind::Proportional;
+        if (!(amount >= 0.0) || std::isinf(amount) || (isShare && amount > 1.0))
+            return Error{ErrorCode::InvalidSetting, "level " + std::to_string(i + 1) + ": the target has to be a number " +
+                                                        (isShare ? "from 0 to 1" : "of 0 or more") + ", not " + std::to_string(amount)};
+    }
+    for (const float weight : {weights.normal, weights.uv, weights.colour, weights.bone})
+        if (!(weight >= 0.0f && std::isfinite(weight)))
+            return Error{ErrorCode::InvalidSetting, "an attribute weight has to be a number of 0 or more, not " + std::to_string(weight)};
+    return std::nullopt;
+}
+
+void assertWellFormed(const MeshView& view)
+{
+    for (const SubMeshView& subMesh : view.subMeshes) {
+        LODSMITH_ASSERT(subMesh.vertexBuffer < view.vertexBuffers.size(), "a submesh names a vertex buffer that is not there");
+        LODSMITH_ASSERT(subMesh.indexCount % 3 == 0, "a triangle list has three indices a triangle");
+        LODSMITH_ASSERT(subMesh.indexBytes == 2 || subMesh.indexBytes == 4, "indices have two or four bytes");
+        LODSMITH_ASSERT(subMesh.indexCount == 0 || subMesh.indices, "indices are missing");
+    }
+    for (const VertexBufferView& buffer : view.vertexBuffers) {
+        LODSMITH_ASSERT(buffer.vertexCount == 0 || buffer.positions, "positions are missing");
+        for (const UvStream& uv : buffer.uvSets)
+            LODSMITH_ASSERT(uv.components >= 1 && uv.components <= 4, "a texture coordinate has one to four components");
+    }
+}
+
+std::uint32_t countLeft(std::uint32_t all, double removed)
+{
+    return removed >= all ? 0 : all - static_cast<std::uint32_t>(removed);
+}
+
+CollapseLimits limitsOf(const LevelTarget& target, const CollapseMesh& mesh)
+{
+    CollapseLimits limits{0, 0, kUnlimited, kUnlimited};
+    const std::uint32_t vertices = mesh.summary.vertices;
+    switch (target.kind) {
+    case LevelTarget::Kind::Proportional: limits.vertices = countLeft(vertices, std::round(vertices * target.amount)); break;
+    case LevelTarget::Kind::Constant: limits.vertices = countLeft(vertices, std::floor(target.amount)); break;
+    case LevelTarget::Kind::Triangles:
+        limits.triangles = static_cast<std::uint32_t>(std::min<double>(target.amount, mesh.summary.triangles));
+        break;
+    case LevelTarget::Kind::Deviation: limits.deviation = target.amount * mesh.scale; break;
+    case LevelTarget::Kind::CollapseCost: limits.length = target.amount * mesh.scale; break;
+    }
+    return limits;
+}
+
+/// The mesh as it is now, as index lists into its own vertex buffers.
+std::vector<std::vector<std::uint32_t>> snapshot(const CollapseMesh& mesh)
+{
+    std::vector<std::vector<std::uint32_t>> lists(mesh.firstFaceOfSubMesh.size() - 1);
+    for (std::size_t s = 0; s < lists.size(); ++s) {
+        const auto begin = mesh.faces.begin() + mesh.firstFaceOfSubMesh[s], end = mesh.faces.begin() + mesh.firstFaceOfSubMesh[s + 1];
+        const auto gone = std::count_if(begin, end, [&](const CollapseMesh::Face& face) { return mesh.isGone(face); });
+        lists[s].reserve(3 * static_cast<std::size_t>(end - begin - gone));
+        for (auto face = begin; face != end; ++face)
+            if (!mesh.isGone(*face))
+                for (std::uint32_t wedge : face->wedge)
+                    lists[s].push_back(mesh.wedgeSource[wedge]);
+    }
+    return lists;
+}
+
+void dropRepeatedFaces(CollapseMesh& mesh)
+{
+    OneRing ring;
+    for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+        if (!ring.build(mesh, v))
+            continue;
+        const bool suspicious = std::any_of(ring.asSecond, ring.asSecond + ring.neighbourCount, [](std::uint16_t n) { return n > 1; });
+        for (std::uint32_t i = 0; suspicious && i < ring.faceCount; ++i)
+            for (std::uint32_t k = 0; k < i; ++k) {
+                const OneRing::RingFace &a = ring.faces[k], &b = ring.faces[i];
+                if (a.second == b.second && a.third == b.third && !mesh.isGone(mesh.faces[b.face]) &&
+                    mesh.subMeshOf(a.face) == mesh.subMeshOf(b.face)) {
+                    mesh.removeFace(b.face);
+                    ++mesh.summary.cleaned.repeatedTriangles;
+                }
+            }
+    }
+}
+
+void applyLocks(Simplifier& simplifier, const CollapseMesh& mesh, const SimplifyOptions& options)
+{
+    for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v)
+        if ((!mesh.importance.empty() && mesh.importance[v] >= 1.0f) || (options.lockBorders && simplifier.isBorder(v)) ||
+            (options.lockSeams && mesh.nextWedge[v] != kNone))
+            simplifier.lock(v);
+}
+
+/// Reports how many of the vertices that the levels ask to remove are gone.
+class Watch {
+public:
+    Watch(Progress* progress, const CollapseMesh& mesh, const std::vector<LevelTarget>& targets) : mProgress(progress), mMesh(mesh)
+    {
+        for (const LevelTarget& target : targets)
+            mLeast = std::min(mLeast, std::max(limitsOf(target, mesh).vertices, limitsOf(target, mesh).triangles / 2));
+    }
+
+    bool goesOn() const
+    {
+        if (!mProgress)
+            return true;
+        const double all = mMesh.summary.vertices, wanted = all - std::min<double>(mLeast, all);
+        mProgress->report(wanted > 0.0 ? static_cast<float>(std::min(1.0, (all - mMesh.liveVertices) / wanted)) : 0.0f);
+        return !mProgress->cancelled();
+    }
+
+private:
+    Progress* mProgress;
+    const CollapseMesh& mMesh;
+    std::uint32_t mLeast = kNone;
+};
+
+bool isCancelled(const Progress* progress)
+{
+    return progress && progress->cancelled();
+}
+
+Result<LodChain> run(const MeshView& view, const std::vector<LevelTarget>& targets, const SimplifyOptions& options, Progress* progress)
+{
+    const Error cancelled{ErrorCode::Cancelled, "cancelled"};
+    if (isCancelled(progress))
+        return cancelled;
+    Result<CollapseMesh> welded = weld(view);
+    if (!welded)
+        return welded.error();
+    CollapseMesh& mesh = welded.value();
+    for (CollapseMesh::Face& face : mesh.faces)
+        mesh.updatePlane(face);
+    buildAttributes(mesh, view, options.metric == Metric::Quadric ? options.weights : AttributeWeights{0, 0, 0, 0});
+    mesh.buildFaceLists();
+    dropRepeatedFaces(mesh);
+    std::unique_ptr<CollapseCost> cost;
+    if (options.metric == Metric::Quadric)
+        cost = std::make_unique<QuadricCost>();
+    else
+        cost = std::make_unique<CurvatureCost>();
+    Simplifier simplifier(mesh, std::move(cost));
+    applyLocks(simplifier, mesh, options);
+    if (isCancelled(progress))
+        return cancelled;
+    simplifier.evaluateAll();
+    const Watch watch(progress, mesh, targets);
+    LodChain chain = mesh.summary;
+    std::uint32_t verticesBefore = mesh.liveVertices;
+    for (const LevelTarget& target : targets) {
+        LodChainLevel level;
+        level.stop = simplifier.run(limitsOf(target, mesh), [&] { return watch.goesOn(); });
+        if (isCancelled(progress))
+            return cancelled;
+        level.vertices = mesh.liveVertices;
+        level.triangles = mesh.liveFaces;
+        level.deviation = simplifier.largestDeviation() / mesh.scale;
+        level.cost = simplifier.largestLength() / mesh.scale;
+        level.skipped = mesh.liveVertices == verticesBefore;
+        if (!level.skipped)
+            level.indices = snapshot(mesh);
+        verticesBefore = mesh.liveVertices;
+        chain.levels.push_back(std::move(level));
+    }
+    if (progress)
+        progress->report(1.0f);
+    return chain;
+}
+
+} // namespace
+
+Result<LodChain> simplify(const MeshView& mesh, const std::vector<LevelTarget>& targets, const SimplifyOptions& options, Progress* progress)
+{
+    assertWellFormed(mesh);
+    if (auto error = troubleWith(targets, options.weights))
+        return *error;
+    try {
+        return run(mesh, targets, options, progress);
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorCode::OutOfMemory, "not enough memory to simplify this mesh"};
+    }
+}
+
+} // namespace lodsmith

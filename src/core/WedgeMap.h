@@ -1,0 +1,35 @@
+#pragma once
+
+#include "OneRing.h"
+
+namespace lodsmith {
+
+/// Which wedge of the destination each wedge of a collapsing vertex becomes.
+///
+/// A wedge that shares a face with the destination goes where that face says, so that both sides of a seam that runs
+/// along the edge stay on their side. Any other takes the nearest wedge of its own vertex buffer at the destination;
+/// but never one that moves differently (closed lips), and never one of another buffer.
+class WedgeMap {
+public:
+    /// False when some wedge has nowhere to go.
+    bool build(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour);
+
+    std::uint32_t operator()(std::uint32_t wedge) const
+    {
+        for (std::uint32_t i = 0; i < mCount; ++i)
+            if (mFrom[i] == wedge)
+                return mTo[i];
+        return mTo[0];
+    }
+
+private:
+    std::uint32_t matched(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour, std::uint32_t wedge) const;
+    static std::uint32_t nearest(const CollapseMesh& mesh, std::uint32_t vertex, std::uint32_t wedge);
+    static bool motionAllows(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour);
+
+    std::uint32_t mCount = 0;
+    std::uint32_t mFrom[OneRing::kMaxFaces];
+    std::uint32_t mTo[OneRing::kMaxFaces];
+};
+
+} // namespace lodsmith
