@@ -34,19 +34,13 @@ public:
     void build()
     {
         planChannels();
-        const std::size_t wedges = mMesh.nextWedge.size();
-        dropConstantChannels(wedges);
-        mMesh.attributeStride = (mKept.size() + 3) / 4 * 4;
-        mMesh.attributes.assign(wedges * mMesh.attributeStride, 0.0f);
-        if (mKept.empty())
+        if (mChannels == 0)
             return;
-        std::vector<float> row(mChannels);
-        for (std::uint32_t wedge = 0; wedge < wedges; ++wedge) {
-            readRow(wedge, row.data());
-            float* out = mMesh.attributes.data() + wedge * mMesh.attributeStride;
-            for (std::size_t i = 0; i < mKept.size(); ++i)
-                out[i] = row[mKept[i]];
-        }
+        const std::size_t wedges = mMesh.nextWedge.size();
+        mMesh.attributes.resize(wedges * mChannels);
+        for (std::uint32_t wedge = 0; wedge < wedges; ++wedge)
+            readRow(wedge, mMesh.attributes.data() + wedge * mChannels);
+        keepChannels(varyingChannels(), wedges);
     }
 
 private:
@@ -173,20 +167,30 @@ private:
         }
     }
 
-    void dropConstantChannels(std::size_t wedges)
+    std::vector<std::size_t> varyingChannels() const
     {
-        std::vector<float> row(mChannels), first(mChannels);
         std::vector<char> varies(mChannels, 0);
-        for (std::uint32_t wedge = 0; wedge < wedges; ++wedge) {
-            readRow(wedge, row.data());
-            if (wedge == 0)
-                first = row;
+        const float* first = mMesh.attributes.data();
+        for (const float* row = first; row != first + mMesh.attributes.size(); row += mChannels)
             for (std::size_t i = 0; i < mChannels; ++i)
                 varies[i] |= row[i] != first[i];
-        }
+        std::vector<std::size_t> kept;
         for (std::size_t i = 0; i < mChannels; ++i)
             if (varies[i])
-                mKept.push_back(i);
+                kept.push_back(i);
+        return kept;
+    }
+
+    /// Packs the kept channels, padded with zeros to pairs.
+    void keepChannels(const std::vector<std::size_t>& kept, std::size_t wedges)
+    {
+        const std::size_t stride = (kept.size() + 1) / 2 * 2;
+        std::vector<float> packed(wedges * stride, 0.0f);
+        for (std::size_t wedge = 0; wedge < wedges; ++wedge)
+            for (std::size_t i = 0; i < kept.size(); ++i)
+                packed[wedge * stride + i] = mMesh.attributes[wedge * mChannels + kept[i]];
+        mMesh.attributes.swap(packed);
+        mMesh.attributeStride = stride;
     }
 
     CollapseMesh& mMesh;
@@ -196,7 +200,6 @@ private:
     bool mHasNormals = false, mHasColours = false, mHasBones = false;
     std::vector<float> mUvScales; ///< of each set that counts
     float mNormalScale = 0.0f, mColourScale = 0.0f, mBoneScale = 0.0f;
-    std::vector<std::size_t> mKept; ///< channels that vary
 };
 
 } // namespace

@@ -33,8 +33,8 @@ bool CollapseCheck::allows(const OneRing& ring, std::uint32_t neighbour) const
     const std::uint32_t onEdge = ring.facesOn(neighbour);
     if (onEdge == ring.faceCount && onEdge == mMesh.vertices[destination].liveFaces)
         return false; // nothing would be left of this piece
-    if (mOnBorder[ring.vertex] && mOnBorder[destination] && onEdge != 1)
-        return false;
+    if (mOnBorder[ring.vertex] && onEdge != 1)
+        return false; // a border is left along itself only
     if (turnsFaceOver(ring, neighbour))
         return false;
     const bool hub = mMesh.vertices[destination].liveFaces > kHubFaces;
@@ -77,7 +77,7 @@ bool CollapseCheck::keepsLink(const OneRing& ring, std::uint32_t neighbour) cons
             onEdge |= vertex == ring.vertex;
             if (vertex == destination || vertex == ring.vertex)
                 continue;
-            if (const int at = ring.find(vertex); at >= 0)
+            if (const int at = ring.find(mMesh, vertex); at >= 0)
                 others[known++] = at;
         }
         if (onEdge)
@@ -116,7 +116,7 @@ bool CollapseCheck::keepsLinkAtHub(const OneRing& ring, std::uint32_t neighbour)
                 return false;
             for (std::uint32_t vertex : at)
                 if (vertex != destination && vertex != other)
-                    if (const int known = ring.find(vertex); known >= 0 && hasFace(ring, i, static_cast<std::uint32_t>(known)))
+                    if (const int known = ring.find(mMesh, vertex); known >= 0 && hasFace(ring, i, static_cast<std::uint32_t>(known)))
                         return false;
         }
     }

@@ -2,13 +2,15 @@
 
 #include "OneRing.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace lodsmith {
 
 /// A possible collapse of the vertex of a one-ring.
 struct Candidate {
     int neighbour = -1;  ///< destination, as numbered in the ring; -1 for none
     float cost = 0.0f;   ///< orders the queue; >= 0
-    double length = 0.0; ///< the cost as a length, scaled units
 };
 
 /// What a collapse costs. Given a ring, it hands out the possible collapses from the cheapest on; those that turn out
@@ -20,10 +22,22 @@ public:
     /// Prepares for one vertex. The ring and the mesh stay unchanged until the next call.
     virtual void begin(const CollapseMesh& mesh, const OneRing& ring) = 0;
 
-    /// The cheapest collapse not rejected; equal ones by ring order.
+    /// The cheapest collapse not rejected; of equal ones the first in the ring.
     virtual Candidate cheapest() = 0;
 
     virtual void reject(int neighbour) = 0;
+
+    /// A cost as a length, scaled units.
+    virtual double lengthOf(float cost, const CollapseMesh& mesh, const OneRing& ring) const = 0;
+
+protected:
+    static constexpr double kImpossible = std::numeric_limits<double>::infinity();
+
+    static Candidate candidate(int neighbour, double cost)
+    {
+        constexpr double dearest = 1e30; // still a finite float
+        return {neighbour, static_cast<float>(std::min(cost, dearest))};
+    }
 };
 
 } // namespace lodsmith

@@ -10,6 +10,21 @@ std::uint32_t CollapseMesh::subMeshOf(std::uint32_t face) const
     return static_cast<std::uint32_t>(after - firstFaceOfSubMesh.begin()) - 1;
 }
 
+double CollapseMesh::attributeDistance(std::uint32_t a, std::uint32_t b) const
+{
+    if (a == b)
+        return 0.0;
+    const float* va = attributesOf(a);
+    const float* vb = attributesOf(b);
+    float sum[2] = {0.0f, 0.0f};
+    for (std::size_t k = 0; k < attributeStride; k += 2)
+        for (std::size_t lane = 0; lane < 2; ++lane) {
+            const float difference = va[k + lane] - vb[k + lane];
+            sum[lane] += difference * difference;
+        }
+    return double{sum[0]} + sum[1];
+}
+
 void CollapseMesh::updatePlane(Face& face) const
 {
     const Vec3 origin = position(vertexOf(face.wedge[0]));
@@ -84,23 +99,20 @@ void CollapseMesh::growFaceList(Vertex& vertex, std::uint32_t needed)
 
 void CollapseMesh::compactAllFaceLists()
 {
-    std::vector<std::uint32_t> order;
-    order.reserve(liveVertices);
-    for (std::uint32_t v = 0; v < vertexCount(); ++v)
-        if (isAlive(v))
-            order.push_back(v);
-    std::sort(order.begin(), order.end(),
-              [this](std::uint32_t a, std::uint32_t b) { return vertices[a].firstFace < vertices[b].firstFace; });
-    std::uint32_t end = 0;
-    for (std::uint32_t v : order) {
+    std::size_t entries = 0;
+    for (std::uint32_t v = 0; v < vertexCount(); ++v) {
         compactFaceList(v);
-        Vertex& vertex = vertices[v];
-        std::copy_n(mFaceLists.begin() + vertex.firstFace, vertex.faceSlots, mFaceLists.begin() + end);
-        vertex.firstFace = end;
-        vertex.faceCapacity = vertex.faceSlots;
-        end += vertex.faceSlots;
+        entries += vertices[v].faceSlots;
     }
-    mFaceLists.resize(end);
+    std::vector<std::uint32_t> packed;
+    packed.reserve(entries + entries / 4 + 1024);
+    for (Vertex& vertex : vertices) {
+        const auto list = mFaceLists.begin() + vertex.firstFace;
+        vertex.firstFace = static_cast<std::uint32_t>(packed.size());
+        vertex.faceCapacity = vertex.faceSlots;
+        packed.insert(packed.end(), list, list + vertex.faceSlots);
+    }
+    mFaceLists.swap(packed);
 }
 
 void CollapseMesh::removeFace(std::uint32_t number)

@@ -34,7 +34,7 @@ public:
         std::uint32_t faceSlots;    ///< entries in use there, some of them possibly faces that are gone
         std::uint32_t faceCapacity; ///< entries reserved there
         std::uint32_t liveFaces;    ///< faces not gone
-        std::uint32_t target;       ///< destination of the cheapest collapse, as last evaluated
+        std::uint32_t ringIndex;    ///< scratch of OneRing
     };
 
     std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(vertices.size()); }
@@ -53,6 +53,9 @@ public:
     std::uint32_t motionOf(std::uint32_t wedge) const { return wedgeMotion.empty() ? 0 : wedgeMotion[wedge]; }
     std::uint32_t subMeshOf(std::uint32_t face) const;
     const float* attributesOf(std::uint32_t wedge) const { return attributes.data() + std::size_t{wedge} * attributeStride; }
+
+    /// Squared, between two wedges.
+    double attributeDistance(std::uint32_t a, std::uint32_t b) const;
 
     const std::uint32_t* faceList(std::uint32_t vertex) const { return mFaceLists.data() + vertices[vertex].firstFace; }
 
@@ -82,7 +85,7 @@ public:
     std::vector<std::uint32_t> wedgeMotion;      ///< equal where wedges of a vertex move together; empty when all do
     std::vector<float> importance;               ///< of each vertex, 0..1; empty when all are 0
 
-    std::size_t attributeStride = 0; ///< floats a wedge, a multiple of 4; 0 when no attribute counts
+    std::size_t attributeStride = 0; ///< floats a wedge, even; 0 when no attribute counts
     std::vector<float> attributes;   ///< scaled and weighted, so that their squares add to squared distances
 
     std::uint32_t liveVertices = 0;

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace lodsmith {
 
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kLeastBend = 0.001; // so that on a flat surface short edges go first
 constexpr double kOffBorder = 1.0;   // leaving a border costs as much as a right angle and more
 
@@ -24,23 +22,15 @@ void CurvatureCost::begin(const CollapseMesh& mesh, const OneRing& ring)
     mMesh = &mesh;
     mRing = &ring;
     mIsBorder = ring.isBorder();
-    const double importance = mesh.importance.empty() ? 0.0 : mesh.importance[ring.vertex];
-    const double factor = importance < 1.0 ? 1.0 / (1.0 - importance) : kInfinite;
+    const double factor = mesh.importance.empty() ? 1.0 : 1.0 / (1.0 - mesh.importance[ring.vertex]);
     for (std::uint32_t i = 0; i < ring.neighbourCount; ++i)
-        mCost[i] = mWedges.build(mesh, ring, i) ? (bend(i) + seamPenalty(i)) * length(ring.edge[i]) * factor : kInfinite;
+        mCosts[i] = mWedges.build(mesh, ring, i) ? (bend(i) + seamPenalty(i)) * length(ring.edge[i]) * factor : kImpossible;
 }
 
 Candidate CurvatureCost::cheapest()
 {
-    const double* best = std::min_element(mCost, mCost + mRing->neighbourCount);
-    if (*best == kInfinite)
-        return {};
-    return {static_cast<int>(best - mCost), static_cast<float>(std::min(*best, 1e30)), *best};
-}
-
-void CurvatureCost::reject(int neighbour)
-{
-    mCost[neighbour] = kInfinite;
+    const double* best = std::min_element(mCosts, mCosts + mRing->neighbourCount);
+    return *best == kImpossible ? Candidate{} : candidate(static_cast<int>(best - mCosts), *best);
 }
 
 double CurvatureCost::bend(std::uint32_t neighbour) const

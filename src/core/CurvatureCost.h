@@ -11,7 +11,8 @@ class CurvatureCost final : public CollapseCost {
 public:
     void begin(const CollapseMesh& mesh, const OneRing& ring) override;
     Candidate cheapest() override;
-    void reject(int neighbour) override;
+    void reject(int neighbour) override { mCosts[neighbour] = kImpossible; }
+    double lengthOf(float cost, const CollapseMesh&, const OneRing&) const override { return cost; }
 
 private:
     double bend(std::uint32_t neighbour) const;
@@ -22,7 +23,7 @@ private:
     const CollapseMesh* mMesh = nullptr;
     const OneRing* mRing = nullptr;
     bool mIsBorder = false;
-    double mCost[2 * OneRing::kMaxFaces]; ///< infinite when rejected
+    double mCosts[OneRing::kMaxNeighbours];
     WedgeMap mWedges;
 };
 

@@ -6,40 +6,45 @@ bool OneRing::build(CollapseMesh& mesh, std::uint32_t v)
 {
     vertex = v;
     faceCount = neighbourCount = 0;
-    isSeam = false;
+    isSeam = touchesSeam = false;
     if (mesh.vertices[v].liveFaces == 0 || mesh.vertices[v].liveFaces > kMaxFaces)
         return false;
     mesh.compactFaceList(v);
     origin = mesh.position(v);
     const std::uint32_t* list = mesh.faceList(v);
-    const std::uint32_t count = mesh.vertices[v].liveFaces;
-    for (std::uint32_t i = 0; i < count; ++i) {
+    faceCount = mesh.vertices[v].liveFaces;
+    for (std::uint32_t i = 0; i < faceCount; ++i) {
         const CollapseMesh::Face& face = mesh.faces[list[i]];
         const std::uint32_t at[3] = {mesh.vertexOf(face.wedge[0]), mesh.vertexOf(face.wedge[1]), mesh.vertexOf(face.wedge[2])};
         const int corner = at[0] == v ? 0 : at[1] == v ? 1 : 2;
         const int second = corner == 2 ? 0 : corner + 1, third = corner == 0 ? 2 : corner - 1;
-        RingFace& entry = faces[faceCount++];
+        RingFace& entry = faces[i];
         entry.face = list[i];
         entry.corner = static_cast<std::uint8_t>(corner);
         entry.wedge[0] = face.wedge[corner];
         entry.wedge[1] = face.wedge[second];
         entry.wedge[2] = face.wedge[third];
-        entry.second = indexOf(mesh, at[second]);
-        entry.third = indexOf(mesh, at[third]);
+        entry.second = indexOf(mesh, at[second], entry.wedge[1]);
+        entry.third = indexOf(mesh, at[third], entry.wedge[2]);
         ++asSecond[entry.second];
         ++asThird[entry.third];
         isSeam |= entry.wedge[0] != faces[0].wedge[0];
     }
+    touchesSeam |= isSeam;
     return true;
 }
 
-std::uint16_t OneRing::indexOf(const CollapseMesh& mesh, std::uint32_t vertexNumber)
+inline std::uint16_t OneRing::indexOf(CollapseMesh& mesh, std::uint32_t vertexNumber, std::uint32_t wedge)
 {
-    if (const int known = find(vertexNumber); known >= 0)
+    if (const int known = find(mesh, vertexNumber); known >= 0) {
+        touchesSeam |= wedgeAt[known] != wedge;
         return static_cast<std::uint16_t>(known);
+    }
+    wedgeAt[neighbourCount] = wedge;
     neighbour[neighbourCount] = vertexNumber;
     edge[neighbourCount] = mesh.position(vertexNumber) - origin;
     asSecond[neighbourCount] = asThird[neighbourCount] = 0;
+    mesh.vertices[vertexNumber].ringIndex = neighbourCount;
     return static_cast<std::uint16_t>(neighbourCount++);
 }
 

@@ -8,7 +8,8 @@
 namespace lodsmith {
 
 /// The faces around a vertex and the vertices around those, gathered once for cost, checks, deviation and collapse.
-struct OneRing {
+class OneRing {
+public:
     /// A vertex with more faces is not collapsed until its neighbours' collapses have made it smaller. This keeps the work
     /// on a fan of n triangles linear; meshes of ordinary valence never notice.
     static constexpr std::uint32_t kMaxFaces = 128;
@@ -20,27 +21,31 @@ struct OneRing {
         std::uint8_t corner;          ///< this vertex's corner in the face
     };
 
+    static constexpr std::uint32_t kMaxNeighbours = 2 * kMaxFaces;
+
     std::uint32_t vertex = kNone;
     Vec3 origin;
     std::uint32_t faceCount = 0;
     std::uint32_t neighbourCount = 0;
-    bool isSeam = false; ///< more than one wedge of this vertex is in use
+    bool isSeam = false;        ///< more than one wedge of this vertex is in use
+    bool touchesSeam = false;   ///< ... or of a neighbour, as seen from here
 
     RingFace faces[kMaxFaces];
-    std::uint32_t neighbour[2 * kMaxFaces];   ///< vertex numbers
-    Vec3 edge[2 * kMaxFaces];                 ///< from this vertex to the neighbour
-    std::uint16_t asSecond[2 * kMaxFaces];    ///< faces that have the neighbour as second corner
-    std::uint16_t asThird[2 * kMaxFaces];     ///< ... as third corner
+    std::uint32_t neighbour[kMaxNeighbours];   ///< vertex numbers
+    Vec3 edge[kMaxNeighbours];                 ///< from this vertex to the neighbour
+    std::uint32_t wedgeAt[kMaxNeighbours];    ///< the neighbour's wedge in the first of the faces here that have it
+    std::uint16_t asSecond[kMaxNeighbours];    ///< faces that have the neighbour as second corner
+    std::uint16_t asThird[kMaxNeighbours];     ///< ... as third corner
 
     /// Fills this ring; false, with an empty ring, when the vertex has no face or too many.
     bool build(CollapseMesh& mesh, std::uint32_t vertex);
 
-    int find(std::uint32_t vertexNumber) const
+    /// Number of a vertex in this ring, -1 when it is no neighbour. Each neighbour's record holds the number it got in the
+    /// ring that was built last; that it is ours, the ring itself confirms.
+    int find(const CollapseMesh& mesh, std::uint32_t vertexNumber) const
     {
-        for (std::uint32_t i = 0; i < neighbourCount; ++i)
-            if (neighbour[i] == vertexNumber)
-                return static_cast<int>(i);
-        return -1;
+        const std::uint32_t i = mesh.vertices[vertexNumber].ringIndex;
+        return i < neighbourCount && neighbour[i] == vertexNumber ? static_cast<int>(i) : -1;
     }
 
     std::uint32_t facesOn(std::uint32_t i) const { return std::uint32_t{asSecond[i]} + asThird[i]; }
@@ -49,7 +54,7 @@ struct OneRing {
     bool isBorder() const;
 
 private:
-    std::uint16_t indexOf(const CollapseMesh& mesh, std::uint32_t vertexNumber);
+    std::uint16_t indexOf(CollapseMesh& mesh, std::uint32_t vertexNumber, std::uint32_t wedge);
 };
 
 } // namespace lodsmith

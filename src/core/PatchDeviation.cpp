@@ -47,8 +47,8 @@ double PatchDeviation::bound(const OneRing& ring, const CollapseMesh& mesh, std:
 /// Chains the faces on one side of a plane through the vertex (sign 0: all faces). False when they are no single fan.
 bool PatchDeviation::collectFan(const OneRing& ring, const CollapseMesh& mesh, const Vec3& side, double sign, Fan& fan, std::uint32_t& taken) const
 {
-    std::int16_t next[2 * OneRing::kMaxFaces];
-    bool hasBefore[2 * OneRing::kMaxFaces];
+    std::int16_t next[OneRing::kMaxNeighbours];
+    bool hasBefore[OneRing::kMaxNeighbours];
     std::fill(next, next + ring.neighbourCount, std::int16_t{-1});
     std::fill(hasBefore, hasBefore + ring.neighbourCount, false);
     fan.normal = {};
@@ -125,7 +125,7 @@ double PatchDeviation::cutBound(const OneRing& ring, const std::uint32_t* spokes
 {
     const Vec3 centre = nearestToOrigin(ring.edge[spokes[0]], ring.edge[spokes[cut]]);
     double largest = 0.0;
-    std::uint32_t half[2 * OneRing::kMaxFaces];
+    std::uint32_t half[OneRing::kMaxNeighbours];
     for (int side = 0; side < (closed ? 2 : 1); ++side) {
         std::uint32_t size = 0;
         if (side == 0) {

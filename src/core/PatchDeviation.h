@@ -17,7 +17,7 @@ public:
 private:
     /// Part of the ring in winding order: spokes from first to last.
     struct Fan {
-        std::uint32_t spokes[2 * OneRing::kMaxFaces]; ///< neighbour numbers
+        std::uint32_t spokes[OneRing::kMaxNeighbours]; ///< neighbour numbers
         Vec3 normal;                                  ///< area-weighted sum of the faces' normals
         std::uint32_t count = 0;
         bool closed = false;
@@ -31,7 +31,7 @@ private:
     double largestDifference(std::uint32_t count, bool closed) const;
     double differenceAtCentre(std::uint32_t count) const;
 
-    double mU[2 * OneRing::kMaxFaces], mV[2 * OneRing::kMaxFaces], mZ[2 * OneRing::kMaxFaces]; ///< spokes' ends in the plane, and above it
+    double mU[OneRing::kMaxNeighbours], mV[OneRing::kMaxNeighbours], mZ[OneRing::kMaxNeighbours]; ///< spokes' ends in the plane, and above it
 };
 
 } // namespace lodsmith

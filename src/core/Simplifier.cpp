@@ -4,26 +4,47 @@
 
 namespace lodsmith {
 
-Simplifier::Simplifier(CollapseMesh& mesh, std::unique_ptr<CollapseCost> cost)
+Simplifier::Simplifier(CollapseMesh& mesh, std::unique_ptr<CollapseCost> cost, const VertexLocks& locks)
     : mMesh(mesh), mCost(std::move(cost)), mOnBorder(mesh.vertexCount(), 0), mCheck(mesh, mOnBorder),
-      mState(mesh.vertexCount(), 0)
+      mState(mesh.vertexCount(), 0), mTarget(mesh.vertexCount(), kNone)
 {
     for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v)
-        mOnBorder[v] = mRing.build(mesh, v) && mRing.isBorder();
+        if (mesh.isAlive(v))
+            prepare(v, locks);
 }
 
-void Simplifier::evaluateAll()
+void Simplifier::prepare(std::uint32_t v, const VertexLocks& locks)
 {
-    for (std::uint32_t v = 0; v < mMesh.vertexCount(); ++v) {
-        if (!mMesh.isAlive(v) || (mState[v] & kLocked))
-            continue;
-        if (mRing.build(mMesh, v)) {
-            mCost->begin(mMesh, mRing);
-            enqueue(v, mCost->cheapest());
-        } else {
-            enqueue(v, {});
-        }
+    const bool small = mRing.build(mMesh, v);
+    if (small)
+        dropRepeatedFaces();
+    mOnBorder[v] = small && mRing.isBorder();
+    const bool precious = !mMesh.importance.empty() && mMesh.importance[v] >= 1.0f;
+    if (precious || (locks.borders && mOnBorder[v]) || (locks.seams && mMesh.nextWedge[v] != kNone)) {
+        mState[v] = kLocked;
+        return;
     }
+    if (small)
+        mCost->begin(mMesh, mRing);
+    enqueue(v, small ? mCost->cheapest() : Candidate{});
+}
+
+/// Faces of one submesh with the same corners and winding: all but the first. Their first vertex to be prepared sees them
+/// all, so that the ring of none prepared earlier changes.
+void Simplifier::dropRepeatedFaces()
+{
+    if (std::all_of(mRing.asSecond, mRing.asSecond + mRing.neighbourCount, [](std::uint16_t n) { return n <= 1; }))
+        return;
+    const std::uint32_t before = mMesh.liveFaces;
+    for (std::uint32_t i = 1; i < mRing.faceCount; ++i)
+        for (std::uint32_t k = 0; k < i; ++k) {
+            const OneRing::RingFace &first = mRing.faces[k], &second = mRing.faces[i];
+            if (first.second == second.second && first.third == second.third && !mMesh.isGone(mMesh.faces[second.face]) &&
+                mMesh.subMeshOf(first.face) == mMesh.subMeshOf(second.face))
+                mMesh.removeFace(second.face);
+        }
+    mMesh.summary.cleaned.repeatedTriangles += before - mMesh.liveFaces;
+    mRing.build(mMesh, mRing.vertex);
 }
 
 void Simplifier::enqueue(std::uint32_t vertex, const Candidate& candidate)
@@ -34,7 +55,7 @@ void Simplifier::enqueue(std::uint32_t vertex, const Candidate& candidate)
         mStalled.push_back(vertex);
         return;
     }
-    mMesh.vertices[vertex].target = mRing.neighbour[candidate.neighbour];
+    mTarget[vertex] = mRing.neighbour[candidate.neighbour];
     mState[vertex] |= kQueued;
     mQueue.insert(candidate.cost, vertex);
 }
@@ -74,29 +95,37 @@ void Simplifier::advance(const CollapseLimits& limits)
         enqueue(v, {});
         return;
     }
-    Candidate candidate;
-    mCost->begin(mMesh, mRing);
-    candidate = mCost->cheapest();
-    if (candidate.neighbour >= 0 && candidate.cost > front.cost && !mQueue.empty() && candidate.cost > mQueue.top().cost) {
+    const bool stale = mState[v] & kStale;
+    Candidate candidate = stale ? evaluated() : Candidate{mRing.find(mMesh, mTarget[v]), front.cost};
+    if (stale && candidate.neighbour >= 0 && !isFront(candidate.cost)) {
         enqueue(v, candidate);
         return;
     }
-    candidate = nextAllowed(limits, candidate);
-    const bool stillFirst = candidate.neighbour >= 0 && (mQueue.empty() || candidate.cost <= std::max(front.cost, mQueue.top().cost));
-    if (stillFirst)
+    if (candidate.neighbour >= 0 && allowed(limits, candidate)) {
+        collapse(candidate);
+        return;
+    }
+    if (!stale)
+        candidate = evaluated();
+    while (candidate.neighbour >= 0 && !allowed(limits, candidate)) {
+        mCost->reject(candidate.neighbour);
+        candidate = mCost->cheapest();
+    }
+    if (candidate.neighbour >= 0 && isFront(candidate.cost))
         collapse(candidate);
     else
         enqueue(v, candidate);
 }
 
-Candidate Simplifier::nextAllowed(const CollapseLimits& limits, Candidate candidate)
+Candidate Simplifier::evaluated()
 {
-    while (candidate.neighbour >= 0 &&
-           !(mCheck.allows(mRing, static_cast<std::uint32_t>(candidate.neighbour)) && withinLimits(limits, candidate))) {
-        mCost->reject(candidate.neighbour);
-        candidate = mCost->cheapest();
-    }
-    return candidate;
+    mCost->begin(mMesh, mRing);
+    return mCost->cheapest();
+}
+
+bool Simplifier::allowed(const CollapseLimits& limits, const Candidate& candidate)
+{
+    return mCheck.allows(mRing, static_cast<std::uint32_t>(candidate.neighbour)) && withinLimits(limits, candidate);
 }
 
 bool Simplifier::withinLimits(const CollapseLimits& limits, const Candidate& candidate)
@@ -105,7 +134,8 @@ bool Simplifier::withinLimits(const CollapseLimits& limits, const Candidate& can
     for (std::uint32_t i = 0; i < mRing.faceCount; ++i)
         before = std::max<double>(before, mMesh.faces[mRing.faces[i].face].deviation);
     mPatchBound = before + mPatchDeviation.bound(mRing, mMesh, static_cast<std::uint32_t>(candidate.neighbour));
-    const bool within = mPatchBound <= limits.deviation && candidate.length <= limits.length;
+    mLength = mCost->lengthOf(candidate.cost, mMesh, mRing);
+    const bool within = mPatchBound <= limits.deviation && mLength <= limits.length;
     mHeldByLimit |= !within;
     return within;
 }
@@ -119,7 +149,7 @@ void Simplifier::collapse(const Candidate& candidate)
     mOnBorder[destination] |= mOnBorder[mRing.vertex];
     touchRing();
     mLargestDeviation = std::max(mLargestDeviation, mPatchBound);
-    mLargestLength = std::max(mLargestLength, candidate.length);
+    mLargestLength = std::max(mLargestLength, mLength);
     mProgressed = true;
 }
 

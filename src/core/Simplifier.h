@@ -23,20 +23,20 @@ struct CollapseLimits {
     double length = 0.0;
 };
 
+/// Which vertices are never removed, besides those of importance 1.
+struct VertexLocks {
+    bool borders = false;
+    bool seams = false;
+};
+
 /// Collapses half-edges, cheapest first, until told to stop; then again, further.
 ///
 /// Costs are evaluated lazily: a collapse only marks its neighbours, and a marked vertex is evaluated again when it comes to
 /// the front of the queue. Whether a collapse is allowed is asked of the one in front alone.
 class Simplifier {
 public:
-    Simplifier(CollapseMesh& mesh, std::unique_ptr<CollapseCost> cost);
-
-    /// Vertices that are never removed.
-    void lock(std::uint32_t vertex) { mState[vertex] |= kLocked; }
-    bool isBorder(std::uint32_t vertex) const { return mOnBorder[vertex] != 0; }
-
-    /// Evaluates every vertex once. Before the first run.
-    void evaluateAll();
+    /// Takes out repeated faces, finds borders and locked vertices, and evaluates every other vertex once.
+    Simplifier(CollapseMesh& mesh, std::unique_ptr<CollapseCost> cost, const VertexLocks& locks);
 
     /// Continues until the limits are met or nothing is left to collapse. `step` is called now and then; false stops.
     template <class Step>
@@ -64,12 +64,16 @@ private:
         kStalled = 8, ///< had no allowed collapse when last looked at
     };
 
+    void prepare(std::uint32_t vertex, const VertexLocks& locks);
+    void dropRepeatedFaces();
     bool reached(const CollapseLimits& limits) const;
     bool requeueStalled();
     void advance(const CollapseLimits& limits);
     void enqueue(std::uint32_t vertex, const Candidate& candidate);
-    Candidate nextAllowed(const CollapseLimits& limits, Candidate candidate);
+    Candidate evaluated();
+    bool allowed(const CollapseLimits& limits, const Candidate& candidate);
     bool withinLimits(const CollapseLimits& limits, const Candidate& candidate);
+    bool isFront(float cost) { return mQueue.empty() || cost <= mQueue.top().cost; }
     void collapse(const Candidate& candidate);
     void moveFaces(std::uint32_t neighbour);
     void touchRing();
@@ -85,9 +89,11 @@ private:
     OneRing mRing;
     WedgeMap mWedges;
     std::vector<std::uint8_t> mState;
+    std::vector<std::uint32_t> mTarget; ///< destination of each vertex's cheapest collapse, as last evaluated
     std::vector<std::uint32_t> mStalled;
     float mFrontCost = 0.0f;       ///< of the entry looked at last
     double mPatchBound = 0.0;      ///< deviation of the faces the candidate would make
+    double mLength = 0.0;          ///< the candidate's cost as a length
     double mLargestDeviation = 0.0;
     double mLargestLength = 0.0;
     bool mProgressed = false;      ///< something collapsed since stalled vertices were last queued

@@ -85,33 +85,6 @@ std::vector<std::vector<std::uint32_t>> snapshot(const CollapseMesh& mesh)
     return lists;
 }
 
-void dropRepeatedFaces(CollapseMesh& mesh)
-{
-    OneRing ring;
-    for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
-        if (!ring.build(mesh, v))
-            continue;
-        const bool suspicious = std::any_of(ring.asSecond, ring.asSecond + ring.neighbourCount, [](std::uint16_t n) { return n > 1; });
-        for (std::uint32_t i = 0; suspicious && i < ring.faceCount; ++i)
-            for (std::uint32_t k = 0; k < i; ++k) {
-                const OneRing::RingFace &a = ring.faces[k], &b = ring.faces[i];
-                if (a.second == b.second && a.third == b.third && !mesh.isGone(mesh.faces[b.face]) &&
-                    mesh.subMeshOf(a.face) == mesh.subMeshOf(b.face)) {
-                    mesh.removeFace(b.face);
-                    ++mesh.summary.cleaned.repeatedTriangles;
-                }
-            }
-    }
-}
-
-void applyLocks(Simplifier& simplifier, const CollapseMesh& mesh, const SimplifyOptions& options)
-{
-    for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v)
-        if ((!mesh.importance.empty() && mesh.importance[v] >= 1.0f) || (options.lockBorders && simplifier.isBorder(v)) ||
-            (options.lockSeams && mesh.nextWedge[v] != kNone))
-            simplifier.lock(v);
-}
-
 /// Reports how many of the vertices that the levels ask to remove are gone.
 class Watch {
 public:
@@ -154,17 +127,14 @@ Result<LodChain> run(const MeshView& view, const std::vector<LevelTarget>& targe
         mesh.updatePlane(face);
     buildAttributes(mesh, view, options.metric == Metric::Quadric ? options.weights : AttributeWeights{0, 0, 0, 0});
     mesh.buildFaceLists();
-    dropRepeatedFaces(mesh);
     std::unique_ptr<CollapseCost> cost;
     if (options.metric == Metric::Quadric)
         cost = std::make_unique<QuadricCost>();
     else
         cost = std::make_unique<CurvatureCost>();
-    Simplifier simplifier(mesh, std::move(cost));
-    applyLocks(simplifier, mesh, options);
     if (isCancelled(progress))
         return cancelled;
-    simplifier.evaluateAll();
+    Simplifier simplifier(mesh, std::move(cost), {options.lockBorders, options.lockSeams});
     const Watch watch(progress, mesh, targets);
     LodChain chain = mesh.summary;
     std::uint32_t verticesBefore = mesh.liveVertices;

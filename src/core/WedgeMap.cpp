@@ -2,20 +2,6 @@
 
 namespace lodsmith {
 
-namespace {
-
-float attributeDistance(const CollapseMesh& mesh, std::uint32_t a, std::uint32_t b)
-{
-    const float* va = mesh.attributesOf(a);
-    const float* vb = mesh.attributesOf(b);
-    float sum = 0.0f;
-    for (std::size_t i = 0; i < mesh.attributeStride; ++i)
-        sum += (va[i] - vb[i]) * (va[i] - vb[i]);
-    return sum;
-}
-
-} // namespace
-
 bool WedgeMap::build(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour)
 {
     const std::uint32_t destination = ring.neighbour[neighbour];
@@ -55,7 +41,7 @@ std::uint32_t WedgeMap::matched(const CollapseMesh& mesh, const OneRing& ring, s
         const std::uint32_t there = face.second == neighbour ? face.wedge[1] : face.wedge[2];
         if (mesh.bufferOf(there) != mesh.bufferOf(wedge))
             continue;
-        if (best == kNone || (best != there && attributeDistance(mesh, wedge, there) < attributeDistance(mesh, wedge, best)))
+        if (best == kNone || (best != there && mesh.attributeDistance(wedge, there) < mesh.attributeDistance(wedge, best)))
             best = there;
     }
     return best;
@@ -64,11 +50,11 @@ std::uint32_t WedgeMap::matched(const CollapseMesh& mesh, const OneRing& ring, s
 std::uint32_t WedgeMap::nearest(const CollapseMesh& mesh, std::uint32_t vertex, std::uint32_t wedge)
 {
     std::uint32_t best = kNone;
-    float bestDistance = 0.0f;
+    double bestDistance = 0.0;
     for (std::uint32_t there = vertex; there != kNone; there = mesh.nextWedge[there]) {
         if (mesh.bufferOf(there) != mesh.bufferOf(wedge))
             continue;
-        const float distance = attributeDistance(mesh, wedge, there);
+        const double distance = mesh.attributeDistance(wedge, there);
         if (best == kNone || distance < bestDistance) {
             best = there;
             bestDistance = distance;

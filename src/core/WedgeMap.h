@@ -14,6 +14,10 @@ public:
     /// False when some wedge has nowhere to go.
     bool build(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour);
 
+    std::uint32_t count() const { return mCount; }
+    std::uint32_t from(std::uint32_t i) const { return mFrom[i]; }
+    std::uint32_t to(std::uint32_t i) const { return mTo[i]; }
+
     std::uint32_t operator()(std::uint32_t wedge) const
     {
         for (std::uint32_t i = 0; i < mCount; ++i)

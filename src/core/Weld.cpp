@@ -245,7 +245,6 @@ private:
         mSlots[slot] = vertex;
         CollapseMesh::Vertex record{};
         std::copy(position.begin(), position.end(), record.position);
-        record.target = kNone;
         mMesh.vertices.push_back(record);
         mFirst.push_back({buffer, index, kNone, vertex});
         noteImportance(vertex, buffer, index);
