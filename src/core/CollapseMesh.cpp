@@ -4,6 +4,12 @@
 
 namespace lodsmith {
 
+namespace {
+
+constexpr std::uint32_t kListSlack = 2; // a collapse between vertices of ordinary valence adds two faces to the destination
+
+} // namespace
+
 std::uint32_t CollapseMesh::subMeshOf(std::uint32_t face) const
 {
     const auto after = std::upper_bound(firstFaceOfSubMesh.begin(), firstFaceOfSubMesh.end(), face);
@@ -20,6 +26,22 @@ double CollapseMesh::attributeDistance(std::uint32_t a, std::uint32_t b) const
     for (std::size_t k = 0; k < attributeStride; k += 2)
         for (std::size_t lane = 0; lane < 2; ++lane) {
             const float difference = va[k + lane] - vb[k + lane];
+            sum[lane] += difference * difference;
+        }
+    return double{sum[0]} + sum[1];
+}
+
+double CollapseMesh::secondDifference(std::uint32_t here, std::uint32_t target, std::uint32_t second, float s, std::uint32_t third, float t) const
+{
+    const float* h = attributesOf(here);
+    const float* d = attributesOf(target);
+    const float* a = attributesOf(second);
+    const float* b = attributesOf(third);
+    float sum[2] = {0.0f, 0.0f};
+    for (std::size_t k = 0; k < attributeStride; k += 2)
+        for (std::size_t lane = 0; lane < 2; ++lane) {
+            const std::size_t i = k + lane;
+            const float difference = d[i] - h[i] + s * (a[i] - h[i]) + t * (b[i] - h[i]);
             sum[lane] += difference * difference;
         }
     return double{sum[0]} + sum[1];
@@ -45,10 +67,11 @@ void CollapseMesh::buildFaceLists()
     std::uint32_t first = 0;
     for (Vertex& vertex : vertices) {
         vertex.firstFace = first;
+        vertex.faceCapacity += kListSlack;
         first += vertex.faceCapacity;
         vertex.faceSlots = 0;
     }
-    mFaceLists.reserve(first + first / 4);
+    mFaceLists.reserve(first + first / 8);
     mFaceLists.resize(first);
     for (std::uint32_t i = 0; i < faces.size(); ++i)
         for (std::uint32_t wedge : faces[i].wedge) {
@@ -73,16 +96,22 @@ void CollapseMesh::compactFaceList(std::uint32_t vertexNumber)
     vertex.faceSlots = static_cast<std::uint32_t>(end - list);
 }
 
-void CollapseMesh::appendFaces(std::uint32_t vertexNumber, const std::uint32_t* added, std::uint32_t count)
+void CollapseMesh::moveFaces(std::uint32_t from, std::uint32_t to, const std::uint32_t* moved, std::uint32_t count)
 {
-    Vertex& vertex = vertices[vertexNumber];
+    if (count == 0)
+        return;
+    Vertex& vertex = vertices[to];
     if (vertex.faceSlots + count > vertex.faceCapacity)
-        compactFaceList(vertexNumber);
+        compactFaceList(to);
     if (vertex.faceSlots + count > vertex.faceCapacity)
         growFaceList(vertex, vertex.faceSlots + count);
-    std::copy(added, added + count, mFaceLists.begin() + vertex.firstFace + vertex.faceSlots);
+    std::copy(moved, moved + count, mFaceLists.begin() + vertex.firstFace + vertex.faceSlots);
     vertex.faceSlots += count;
+    // Removing the faces on the edge may have left the destination without any for a moment.
+    if (vertex.liveFaces != 0)
+        --liveVertices;
     vertex.liveFaces += count;
+    vertices[from].liveFaces = vertices[from].faceSlots = 0;
 }
 
 void CollapseMesh::growFaceList(Vertex& vertex, std::uint32_t needed)
@@ -105,12 +134,13 @@ void CollapseMesh::compactAllFaceLists()
         entries += vertices[v].faceSlots;
     }
     std::vector<std::uint32_t> packed;
-    packed.reserve(entries + entries / 4 + 1024);
+    packed.reserve(entries + kListSlack * std::size_t{liveVertices} + entries / 4 + 1024);
     for (Vertex& vertex : vertices) {
         const auto list = mFaceLists.begin() + vertex.firstFace;
         vertex.firstFace = static_cast<std::uint32_t>(packed.size());
-        vertex.faceCapacity = vertex.faceSlots;
         packed.insert(packed.end(), list, list + vertex.faceSlots);
+        vertex.faceCapacity = vertex.faceSlots + (vertex.faceSlots != 0 ? kListSlack : 0);
+        packed.resize(vertex.firstFace + vertex.faceCapacity);
     }
     mFaceLists.swap(packed);
 }

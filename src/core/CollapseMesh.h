@@ -57,6 +57,9 @@ public:
     /// Squared, between two wedges.
     double attributeDistance(std::uint32_t a, std::uint32_t b) const;
 
+    /// Squared length of (target - here) + s * (second - here) + t * (third - here).
+    double secondDifference(std::uint32_t here, std::uint32_t target, std::uint32_t second, float s, std::uint32_t third, float t) const;
+
     const std::uint32_t* faceList(std::uint32_t vertex) const { return mFaceLists.data() + vertices[vertex].firstFace; }
 
     /// Drops entries of faces that are gone from a vertex's list.
@@ -68,8 +71,8 @@ public:
     /// Lists the faces of every vertex; to be called once, when all faces are there.
     void buildFaceLists();
 
-    /// Adds faces to a vertex's list.
-    void appendFaces(std::uint32_t vertex, const std::uint32_t* added, std::uint32_t count);
+    /// Gives the remaining faces of a vertex to another; the first is gone with that.
+    void moveFaces(std::uint32_t from, std::uint32_t to, const std::uint32_t* moved, std::uint32_t count);
 
     /// Takes a face out; vertices left without a face are gone with it.
     void removeFace(std::uint32_t face);

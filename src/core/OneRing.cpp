@@ -6,7 +6,7 @@ bool OneRing::build(CollapseMesh& mesh, std::uint32_t v)
 {
     vertex = v;
     faceCount = neighbourCount = 0;
-    isSeam = touchesSeam = false;
+    isSeam = false;
     if (mesh.vertices[v].liveFaces == 0 || mesh.vertices[v].liveFaces > kMaxFaces)
         return false;
     mesh.compactFaceList(v);
@@ -24,23 +24,22 @@ bool OneRing::build(CollapseMesh& mesh, std::uint32_t v)
         entry.wedge[0] = face.wedge[corner];
         entry.wedge[1] = face.wedge[second];
         entry.wedge[2] = face.wedge[third];
-        entry.second = indexOf(mesh, at[second], entry.wedge[1]);
-        entry.third = indexOf(mesh, at[third], entry.wedge[2]);
+        entry.second = indexOf(mesh, at[second], i);
+        entry.third = indexOf(mesh, at[third], i);
         ++asSecond[entry.second];
         ++asThird[entry.third];
         isSeam |= entry.wedge[0] != faces[0].wedge[0];
     }
-    touchesSeam |= isSeam;
     return true;
 }
 
-inline std::uint16_t OneRing::indexOf(CollapseMesh& mesh, std::uint32_t vertexNumber, std::uint32_t wedge)
+inline std::uint16_t OneRing::indexOf(CollapseMesh& mesh, std::uint32_t vertexNumber, std::uint32_t face)
 {
     if (const int known = find(mesh, vertexNumber); known >= 0) {
-        touchesSeam |= wedgeAt[known] != wedge;
+        lastFace[known] = static_cast<std::uint8_t>(face);
         return static_cast<std::uint16_t>(known);
     }
-    wedgeAt[neighbourCount] = wedge;
+    firstFace[neighbourCount] = lastFace[neighbourCount] = static_cast<std::uint8_t>(face);
     neighbour[neighbourCount] = vertexNumber;
     edge[neighbourCount] = mesh.position(vertexNumber) - origin;
     asSecond[neighbourCount] = asThird[neighbourCount] = 0;

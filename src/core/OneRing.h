@@ -27,13 +27,13 @@ public:
     Vec3 origin;
     std::uint32_t faceCount = 0;
     std::uint32_t neighbourCount = 0;
-    bool isSeam = false;        ///< more than one wedge of this vertex is in use
-    bool touchesSeam = false;   ///< ... or of a neighbour, as seen from here
+    bool isSeam = false; ///< more than one wedge of this vertex is in use
 
     RingFace faces[kMaxFaces];
     std::uint32_t neighbour[kMaxNeighbours];   ///< vertex numbers
     Vec3 edge[kMaxNeighbours];                 ///< from this vertex to the neighbour
-    std::uint32_t wedgeAt[kMaxNeighbours];    ///< the neighbour's wedge in the first of the faces here that have it
+    std::uint8_t firstFace[kMaxNeighbours];   ///< of the faces here that have the neighbour
+    std::uint8_t lastFace[kMaxNeighbours];    ///< the same as the first on a border
     std::uint16_t asSecond[kMaxNeighbours];    ///< faces that have the neighbour as second corner
     std::uint16_t asThird[kMaxNeighbours];     ///< ... as third corner
 
@@ -51,10 +51,11 @@ public:
     std::uint32_t facesOn(std::uint32_t i) const { return std::uint32_t{asSecond[i]} + asThird[i]; }
     bool contains(const RingFace& face, std::uint32_t i) const { return face.second == i || face.third == i; }
     std::uint32_t apexOf(const RingFace& face, std::uint32_t i) const { return face.second == i ? face.third : face.second; }
+    std::uint32_t wedgeOf(const RingFace& face, std::uint32_t i) const { return face.second == i ? face.wedge[1] : face.wedge[2]; }
     bool isBorder() const;
 
 private:
-    std::uint16_t indexOf(CollapseMesh& mesh, std::uint32_t vertexNumber, std::uint32_t wedge);
+    std::uint16_t indexOf(CollapseMesh& mesh, std::uint32_t vertexNumber, std::uint32_t face);
 };
 
 } // namespace lodsmith

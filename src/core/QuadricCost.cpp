@@ -30,7 +30,6 @@ void QuadricCost::begin(const CollapseMesh& mesh, const OneRing& ring)
     mRing = &ring;
     mQuadric = {};
     mArea = 0.0;
-    mHasDualBases = false;
     for (std::uint32_t i = 0; i < ring.faceCount; ++i) {
         const CollapseMesh::Face& face = mesh.faces[ring.faces[i].face];
         mQuadric.addSquare(normalOf(face), face.area);
@@ -75,7 +74,6 @@ double QuadricCost::attributeCost(std::uint32_t neighbour)
         return kImpossible;
     if (mMesh->attributeStride == 0)
         return 0.0;
-    findDualBases();
     const Vec3& edge = mRing->edge[neighbour];
     if (!mRing->isSeam)
         return wedgeCost(edge, mRing->faces[0].wedge[0], mWedges(mRing->faces[0].wedge[0]));
@@ -85,107 +83,62 @@ double QuadricCost::attributeCost(std::uint32_t neighbour)
     return sum;
 }
 
-void QuadricCost::findDualBases()
-{
-    if (mHasDualBases)
-        return;
-    mHasDualBases = true;
-    for (std::uint32_t i = 0; i < mRing->faceCount; ++i) {
-        const CollapseMesh::Face& face = mMesh->faces[mRing->faces[i].face];
-        const Vec3 normal = normalOf(face);
-        const Vec3& second = mRing->edge[mRing->faces[i].second];
-        const Vec3& third = mRing->edge[mRing->faces[i].third];
-        const double thinnest = kThinnest * std::max(lengthSquared(second), lengthSquared(third));
-        const double inverse = 1.0 / std::max(2.0 * face.area, thinnest);
-        mDualSecond[i] = cross(third, normal) * inverse;
-        mDualThird[i] = cross(normal, second) * inverse;
-    }
-}
-
 /// The face of this wedge that lies behind, seen along the edge, is continued to the destination.
 double QuadricCost::wedgeCost(const Vec3& edge, std::uint32_t wedge, std::uint32_t target) const
 {
-    std::uint32_t behind = 0;
+    // The barycentric coordinates, at the point opposite to the destination, of the face's second and third corner, times
+    // twice its area: the face that has both positive is the one behind.
     double second = 0.0, third = 0.0, deepest = -kImpossible, area = 0.0;
+    const OneRing::RingFace* behind = nullptr;
     for (std::uint32_t i = 0; i < mRing->faceCount; ++i) {
-        if (mRing->faces[i].wedge[0] != wedge)
+        const OneRing::RingFace& ringFace = mRing->faces[i];
+        if (ringFace.wedge[0] != wedge)
             continue;
-        area += mMesh->faces[mRing->faces[i].face].area;
-        const double s = -dot(mDualSecond[i], edge), t = -dot(mDualThird[i], edge);
-        if (std::min(s, t) > deepest) {
-            deepest = std::min(s, t);
-            behind = i;
+        const CollapseMesh::Face& face = mMesh->faces[ringFace.face];
+        area += face.area;
+        const Vec3 across = cross(edge, normalOf(face));
+        const double s = dot(across, mRing->edge[ringFace.third]), t = -dot(across, mRing->edge[ringFace.second]);
+        if (const double depth = std::min(s, t); depth > deepest) {
+            deepest = depth;
+            behind = &ringFace;
             second = s;
             third = t;
         }
     }
-    const float s = static_cast<float>(second), t = static_cast<float>(third);
-    const float* here = mMesh->attributesOf(wedge);
-    const float* there = mMesh->attributesOf(target);
-    const float* atSecond = mMesh->attributesOf(mRing->faces[behind].wedge[1]);
-    const float* atThird = mMesh->attributesOf(mRing->faces[behind].wedge[2]);
-    float sum[2] = {0.0f, 0.0f};
-    for (std::size_t k = 0; k < mMesh->attributeStride; k += 2)
-        for (std::size_t lane = 0; lane < 2; ++lane) {
-            const float h = here[k + lane];
-            const float difference = there[k + lane] - h + s * (atSecond[k + lane] - h) + t * (atThird[k + lane] - h);
-            sum[lane] += difference * difference;
-        }
-    return area * (double{sum[0]} + sum[1]);
+    const double thinnest = kThinnest * std::max(lengthSquared(mRing->edge[behind->second]), lengthSquared(mRing->edge[behind->third]));
+    const double inverse = 1.0 / std::max(2.0 * mMesh->faces[behind->face].area, thinnest);
+    return area * mMesh->secondDifference(wedge, target, behind->wedge[1], static_cast<float>(second * inverse),
+                                          behind->wedge[2], static_cast<float>(third * inverse));
 }
 
-/// Planes upright on the faces along borders, submesh borders and seams. The cross product carries the edge's length, so that
-/// the weight is a squared length, like an area.
+/// Planes upright on the faces along borders, submesh borders and seams. The cross product carries the edge's length, so
+/// that the weight is a squared length, like an area.
 void QuadricCost::addConstraints()
 {
-    const bool mixed = touchesSeveralSubMeshes();
-    for (std::uint32_t i = 0; i < mRing->faceCount; ++i) {
-        const OneRing::RingFace& face = mRing->faces[i];
-        for (const std::uint32_t neighbour : {std::uint32_t{face.second}, std::uint32_t{face.third}}) {
-            double weight = 0.0;
-            if (mRing->facesOn(neighbour) == 1)
-                weight = kBorderWeight;
-            else if (mixed && isMaterialBorder(i, neighbour))
-                weight = kMaterialWeight;
-            else if (mRing->touchesSeam)
-                weight = seamWeight(i, neighbour);
-            if (weight > 0.0)
-                mQuadric.addSquare(cross(normalOf(mMesh->faces[face.face]), mRing->edge[neighbour]), weight);
+    const bool manySubMeshes = mMesh->firstFaceOfSubMesh.size() > 2;
+    for (std::uint32_t i = 0; i < mRing->neighbourCount; ++i) {
+        const OneRing::RingFace &first = mRing->faces[mRing->firstFace[i]], &last = mRing->faces[mRing->lastFace[i]];
+        double weight = 0.0;
+        if (&first == &last)
+            weight = kBorderWeight;
+        else if (manySubMeshes && mMesh->subMeshOf(first.face) != mMesh->subMeshOf(last.face))
+            weight = kMaterialWeight;
+        else if (first.wedge[0] != last.wedge[0] || mRing->wedgeOf(first, i) != mRing->wedgeOf(last, i))
+            weight = seamWeight(first, last, i);
+        if (weight > 0.0) {
+            mQuadric.addSquare(cross(normalOf(mMesh->faces[first.face]), mRing->edge[i]), weight);
+            if (&first != &last)
+                mQuadric.addSquare(cross(normalOf(mMesh->faces[last.face]), mRing->edge[i]), weight);
         }
     }
-}
-
-bool QuadricCost::touchesSeveralSubMeshes() const
-{
-    if (mMesh->firstFaceOfSubMesh.size() <= 2)
-        return false;
-    const std::uint32_t first = mMesh->subMeshOf(mRing->faces[0].face);
-    return std::any_of(mRing->faces, mRing->faces + mRing->faceCount,
-                       [&](const OneRing::RingFace& face) { return mMesh->subMeshOf(face.face) != first; });
-}
-
-bool QuadricCost::isMaterialBorder(std::uint32_t face, std::uint32_t neighbour) const
-{
-    const std::uint32_t here = mMesh->subMeshOf(mRing->faces[face].face);
-    return std::any_of(mRing->faces, mRing->faces + mRing->faceCount, [&](const OneRing::RingFace& other) {
-        return mRing->contains(other, neighbour) && mMesh->subMeshOf(other.face) != here;
-    });
 }
 
 /// A seam's line is held as firmly as the attributes jump across it, at most like a material border: what lies
 /// between the old and the new line gets the other side's attributes.
-double QuadricCost::seamWeight(std::uint32_t faceIndex, std::uint32_t neighbour) const
+double QuadricCost::seamWeight(const OneRing::RingFace& a, const OneRing::RingFace& b, std::uint32_t neighbour) const
 {
-    const OneRing::RingFace& face = mRing->faces[faceIndex];
-    const std::uint32_t there = face.second == neighbour ? face.wedge[1] : face.wedge[2];
-    double jump = 0.0;
-    for (std::uint32_t i = 0; i < mRing->faceCount; ++i) {
-        const OneRing::RingFace& other = mRing->faces[i];
-        if (i == faceIndex || !mRing->contains(other, neighbour))
-            continue;
-        const std::uint32_t otherThere = other.second == neighbour ? other.wedge[1] : other.wedge[2];
-        jump = std::max({jump, mMesh->attributeDistance(face.wedge[0], other.wedge[0]), mMesh->attributeDistance(there, otherThere)});
-    }
+    const double jump = std::max(mMesh->attributeDistance(a.wedge[0], b.wedge[0]),
+                                 mMesh->attributeDistance(mRing->wedgeOf(a, neighbour), mRing->wedgeOf(b, neighbour)));
     return kSeamWeight * std::min(1.0, jump / lengthSquared(mRing->edge[neighbour]));
 }
 

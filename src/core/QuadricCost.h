@@ -22,10 +22,7 @@ public:
 
 private:
     void addConstraints();
-    bool touchesSeveralSubMeshes() const;
-    bool isMaterialBorder(std::uint32_t face, std::uint32_t neighbour) const;
-    double seamWeight(std::uint32_t face, std::uint32_t neighbour) const;
-    void findDualBases();
+    double seamWeight(const OneRing::RingFace& a, const OneRing::RingFace& b, std::uint32_t neighbour) const;
     double attributeCost(std::uint32_t neighbour);
     double wedgeCost(const Vec3& edge, std::uint32_t wedge, std::uint32_t target) const;
 
@@ -34,11 +31,8 @@ private:
     SymmetricMatrix mQuadric;
     double mArea = 0.0;
     double mImportanceFactor = 1.0;
-    bool mHasDualBases = false;
     bool mExact[OneRing::kMaxNeighbours];   ///< whether mBound has the attributes in it
     double mBound[OneRing::kMaxNeighbours]; ///< of each neighbour's cost, from below; kImpossible when rejected
-    Vec3 mDualSecond[OneRing::kMaxFaces];   ///< dot with a vector from here: its coordinate along the edge to the second corner
-    Vec3 mDualThird[OneRing::kMaxFaces];
     WedgeMap mWedges;
 };
 

@@ -157,10 +157,6 @@ void Simplifier::moveFaces(std::uint32_t neighbour)
 {
     std::uint32_t moved[OneRing::kMaxFaces];
     std::uint32_t count = 0;
-    for (std::uint32_t i = 0; i < mRing.faceCount; ++i)
-        if (!mRing.contains(mRing.faces[i], neighbour))
-            moved[count++] = mRing.faces[i].face;
-    mMesh.appendFaces(mRing.neighbour[neighbour], moved, count);
     for (std::uint32_t i = 0; i < mRing.faceCount; ++i) {
         const OneRing::RingFace& ringFace = mRing.faces[i];
         if (mRing.contains(ringFace, neighbour)) {
@@ -171,11 +167,9 @@ void Simplifier::moveFaces(std::uint32_t neighbour)
         face.wedge[ringFace.corner] = mWedges(ringFace.wedge[0]);
         face.deviation = static_cast<float>(mPatchBound);
         mMesh.updatePlane(face);
+        moved[count++] = ringFace.face;
     }
-    CollapseMesh::Vertex& vertex = mMesh.vertices[mRing.vertex];
-    if (vertex.liveFaces != 0)
-        --mMesh.liveVertices;
-    vertex.liveFaces = vertex.faceSlots = 0;
+    mMesh.moveFaces(mRing.vertex, mRing.neighbour[neighbour], moved, count);
 }
 
 void Simplifier::touchRing()
