@@ -63,31 +63,29 @@ bool CollapseCheck::turnsFaceOver(const OneRing& ring, std::uint32_t neighbour) 
 bool CollapseCheck::keepsLink(const OneRing& ring, std::uint32_t neighbour) const
 {
     const std::uint32_t destination = ring.neighbour[neighbour];
+    bool fits[OneRing::kMaxNeighbours + 1]; // may be shared; the last is every vertex that is no neighbour
+    std::fill(fits, fits + ring.neighbourCount, false);
+    fits[neighbour] = fits[ring.neighbourCount] = true;
+    for (std::uint32_t i = 0; i < ring.faceCount; ++i)
+        if (ring.contains(ring.faces[i], neighbour))
+            fits[ring.apexOf(ring.faces[i], neighbour)] = true;
     mMesh.compactFaceList(destination);
     const std::uint32_t* list = mMesh.faceList(destination);
     const std::uint32_t count = mMesh.vertices[destination].liveFaces;
-    bool simple = true;
     for (std::uint32_t i = 0; i < count; ++i) {
         const CollapseMesh::Face& face = mMesh.faces[list[i]];
-        int others[2];
-        int known = 0;
-        bool onEdge = false;
+        std::uint32_t common[3], found = 0;
+        bool sound = true;
         for (std::uint32_t wedge : face.wedge) {
-            const std::uint32_t vertex = mMesh.vertexOf(wedge);
-            onEdge |= vertex == ring.vertex;
-            if (vertex == destination || vertex == ring.vertex)
-                continue;
-            if (const int at = ring.find(mMesh, vertex); at >= 0)
-                others[known++] = at;
+            const std::uint32_t at = ring.find(mMesh, mMesh.vertexOf(wedge));
+            sound &= fits[at];
+            common[found] = at;
+            found += at != ring.neighbourCount && at != neighbour ? 1 : 0;
         }
-        if (onEdge)
-            continue;
-        for (int k = 0; k < known; ++k)
-            if (!isApex(ring, neighbour, static_cast<std::uint32_t>(others[k])))
-                return false;
-        if (known == 2 && hasFace(ring, static_cast<std::uint32_t>(others[0]), static_cast<std::uint32_t>(others[1])))
+        if (!sound || (found == 2 && hasFace(ring, common[0], common[1])))
             return false;
     }
+    bool simple = true;
     for (std::uint32_t i = 0; i < ring.neighbourCount; ++i)
         simple &= ring.facesOn(i) == 2;
     return simple || keepsEdgesManifold(ring, neighbour);
@@ -116,7 +114,7 @@ bool CollapseCheck::keepsLinkAtHub(const OneRing& ring, std::uint32_t neighbour)
                 return false;
             for (std::uint32_t vertex : at)
                 if (vertex != destination && vertex != other)
-                    if (const int known = ring.find(mMesh, vertex); known >= 0 && hasFace(ring, i, static_cast<std::uint32_t>(known)))
+                    if (const std::uint32_t known = ring.find(mMesh, vertex); known != ring.neighbourCount && hasFace(ring, i, known))
                         return false;
         }
     }

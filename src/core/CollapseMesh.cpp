@@ -6,6 +6,7 @@ namespace lodsmith {
 
 namespace {
 
+constexpr std::uint32_t kPrefetched = 12; // faces a vertex, at most
 constexpr std::uint32_t kListSlack = 2; // a collapse between vertices of ordinary valence adds two faces to the destination
 
 } // namespace
@@ -59,6 +60,27 @@ void CollapseMesh::updatePlane(Face& face) const
     face.area = static_cast<float>(0.5 * size);
 }
 
+void CollapseMesh::prefetchFaces(std::uint32_t vertex) const
+{
+    const std::uint32_t* list = faceList(vertex);
+    for (std::uint32_t i = 0; i < std::min(vertices[vertex].faceSlots, kPrefetched); ++i)
+        prefetch(&faces[list[i]]);
+}
+
+void CollapseMesh::prefetchNeighbours(std::uint32_t vertex) const
+{
+    const std::uint32_t* list = faceList(vertex);
+    for (std::uint32_t i = 0; i < std::min(vertices[vertex].faceSlots, kPrefetched); ++i) {
+        const Face& face = faces[list[i]];
+        if (isGone(face))
+            continue;
+        for (std::uint32_t wedge : face.wedge) {
+            prefetch(&vertices[vertexOf(wedge)]);
+            prefetch(attributesOf(wedge));
+        }
+    }
+}
+
 void CollapseMesh::buildFaceLists()
 {
     for (const Face& face : faces)
@@ -92,8 +114,12 @@ void CollapseMesh::compactFaceList(std::uint32_t vertexNumber)
     if (vertex.faceSlots == vertex.liveFaces)
         return;
     std::uint32_t* list = mFaceLists.data() + vertex.firstFace;
-    std::uint32_t* end = std::remove_if(list, list + vertex.faceSlots, [this](std::uint32_t face) { return isGone(faces[face]); });
-    vertex.faceSlots = static_cast<std::uint32_t>(end - list);
+    std::uint32_t kept = 0;
+    for (std::uint32_t i = 0; i < vertex.faceSlots; ++i) {
+        list[kept] = list[i];
+        kept += isGone(faces[list[i]]) ? 0 : 1;
+    }
+    vertex.faceSlots = kept;
 }
 
 void CollapseMesh::moveFaces(std::uint32_t from, std::uint32_t to, const std::uint32_t* moved, std::uint32_t count)

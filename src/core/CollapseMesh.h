@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Prefetch.h"
 #include "Vec3.h"
 
 #include <lodsmith/core/LodChain.h>
@@ -34,7 +35,8 @@ public:
         std::uint32_t faceSlots;    ///< entries in use there, some of them possibly faces that are gone
         std::uint32_t faceCapacity; ///< entries reserved there
         std::uint32_t liveFaces;    ///< faces not gone
-        std::uint32_t ringIndex;    ///< scratch of OneRing
+        std::uint16_t ringIndex;    ///< scratch of OneRing
+        bool hasSeam;               ///< more than one wedge
     };
 
     std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(vertices.size()); }
@@ -61,6 +63,12 @@ public:
     double secondDifference(std::uint32_t here, std::uint32_t target, std::uint32_t second, float s, std::uint32_t third, float t) const;
 
     const std::uint32_t* faceList(std::uint32_t vertex) const { return mFaceLists.data() + vertices[vertex].firstFace; }
+
+    /// Four links of a chain; each reads what the one before has asked for.
+    void prefetchVertex(std::uint32_t vertex) const { prefetch(&vertices[vertex]); }
+    void prefetchFaceList(std::uint32_t vertex) const { prefetch(faceList(vertex)); }
+    void prefetchFaces(std::uint32_t vertex) const;
+    void prefetchNeighbours(std::uint32_t vertex) const;
 
     /// Drops entries of faces that are gone from a vertex's list.
     void compactFaceList(std::uint32_t vertex);

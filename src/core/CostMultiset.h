@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <functional>
@@ -12,8 +13,10 @@ namespace lodsmith {
 /// The collapse queue: a multiset of (cost, vertex), cheapest first, equal costs by vertex number.
 ///
 /// An entry is one 64-bit key (the bits of a non-negative float order like the number), and keys are spread over buckets
-/// by exponent and leading mantissa bits. Only the bucket in front is kept as a heap; the others are unsorted, so that
-/// an insertion is an append. The order is exactly that of a tree, without its nodes and cache misses (docs/simplifier.md).
+/// by exponent and leading mantissa bits. Only the bucket in front is in order: sorted when it gets there, with a heap
+/// beside it for what comes later; the others take insertions as they come. The order is exactly that of a tree, without
+/// its nodes and cache misses, and the next entries are known ahead, so that their vertices can be prefetched
+/// (docs/simplifier.md has the figures).
 class CostMultiset {
 public:
     struct Entry {
@@ -29,9 +32,12 @@ public:
         const std::uint64_t key = keyOf(cost, vertex);
         const std::size_t index = key >> kBucketShift;
         Bucket& bucket = mBuckets[index];
-        bucket.keys.push_back(key);
-        if (bucket.isHeap)
-            std::push_heap(bucket.keys.begin(), bucket.keys.end(), std::greater<>());
+        if (bucket.isSorted) {
+            bucket.late.push_back(key);
+            std::push_heap(bucket.late.begin(), bucket.late.end(), std::greater<>());
+        } else {
+            bucket.keys.push_back(key);
+        }
         mOccupied[index / 64] |= std::uint64_t{1} << (index % 64);
         mFront = std::min(mFront, index);
     }
@@ -40,7 +46,8 @@ public:
     Entry top()
     {
         settleFront();
-        return entryOf(mBuckets[mFront].keys.front());
+        const Bucket& bucket = mBuckets[mFront];
+        return entryOf(bucket.lateIsFirst() ? bucket.late.front() : bucket.keys.back());
     }
 
     /// Takes the cheapest entry out; not empty.
@@ -48,14 +55,25 @@ public:
     {
         settleFront();
         Bucket& bucket = mBuckets[mFront];
-        std::pop_heap(bucket.keys.begin(), bucket.keys.end(), std::greater<>());
-        const Entry entry = entryOf(bucket.keys.back());
-        bucket.keys.pop_back();
-        if (bucket.keys.empty()) {
-            bucket.isHeap = false;
+        std::vector<std::uint64_t>& source = bucket.lateIsFirst() ? bucket.late : bucket.keys;
+        if (&source == &bucket.late)
+            std::pop_heap(source.begin(), source.end(), std::greater<>());
+        const Entry entry = entryOf(source.back());
+        source.pop_back();
+        if (bucket.isEmpty()) {
+            bucket.isSorted = false;
             mOccupied[mFront / 64] &= ~(std::uint64_t{1} << (mFront % 64));
         }
         return entry;
+    }
+
+    /// A vertex that will probably come up `ahead` pops from now; any vertex of an entry will do for that. Call after pop().
+    bool expected(std::size_t ahead, std::uint32_t& vertex) const
+    {
+        if (mFront == kBucketCount || !mBuckets[mFront].isSorted || mBuckets[mFront].keys.size() <= ahead)
+            return false;
+        vertex = static_cast<std::uint32_t>(mBuckets[mFront].keys[mBuckets[mFront].keys.size() - 1 - ahead]);
+        return true;
     }
 
 private:
@@ -63,8 +81,12 @@ private:
     static constexpr std::size_t kBucketCount = 2048;
 
     struct Bucket {
-        std::vector<std::uint64_t> keys;
-        bool isHeap = false;
+        std::vector<std::uint64_t> keys; ///< descending when sorted
+        std::vector<std::uint64_t> late; ///< a heap, used only when sorted
+        bool isSorted = false;
+
+        bool isEmpty() const { return keys.empty() && late.empty(); }
+        bool lateIsFirst() const { return !late.empty() && (keys.empty() || late.front() < keys.back()); }
     };
 
     static std::uint64_t keyOf(float cost, std::uint32_t vertex)
@@ -84,17 +106,17 @@ private:
         return entry;
     }
 
-    /// Finds the lowest occupied bucket and makes a heap of it. False when there is none.
+    /// Finds the lowest occupied bucket and puts it in order. False when there is none.
     bool settleFront()
     {
-        while (mFront < kBucketCount && mBuckets[mFront].keys.empty())
+        while (mFront < kBucketCount && mBuckets[mFront].isEmpty())
             mFront = nextOccupied(mFront + 1);
         if (mFront == kBucketCount)
             return false;
         Bucket& bucket = mBuckets[mFront];
-        if (!bucket.isHeap) {
-            std::make_heap(bucket.keys.begin(), bucket.keys.end(), std::greater<>());
-            bucket.isHeap = true;
+        if (!bucket.isSorted) {
+            std::sort(bucket.keys.begin(), bucket.keys.end(), std::greater<>());
+            bucket.isSorted = true;
         }
         return true;
     }

@@ -72,7 +72,7 @@ double CurvatureCost::seamPenalty(std::uint32_t neighbour) const
 {
     if (!mRing->isSeam)
         return 0.0;
-    const bool toSeam = mMesh->nextWedge[mRing->neighbour[neighbour]] != kNone;
+    const bool toSeam = mMesh->vertices[mRing->neighbour[neighbour]].hasSeam;
     return toSeam ? 0.5 * mMesh->summary.radius : mMesh->summary.radius;
 }
 

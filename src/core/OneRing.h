@@ -40,12 +40,14 @@ public:
     /// Fills this ring; false, with an empty ring, when the vertex has no face or too many.
     bool build(CollapseMesh& mesh, std::uint32_t vertex);
 
-    /// Number of a vertex in this ring, -1 when it is no neighbour. Each neighbour's record holds the number it got in the
-    /// ring that was built last; that it is ours, the ring itself confirms.
-    int find(const CollapseMesh& mesh, std::uint32_t vertexNumber) const
+    /// Number of a vertex in this ring, neighbourCount when it is no neighbour. Each neighbour's record holds the number it
+    /// got in the ring that was built last; that it is ours, the ring itself confirms.
+    std::uint32_t find(const CollapseMesh& mesh, std::uint32_t vertexNumber) const
     {
-        const std::uint32_t i = mesh.vertices[vertexNumber].ringIndex;
-        return i < neighbourCount && neighbour[i] == vertexNumber ? static_cast<int>(i) : -1;
+        if ((mFilter >> (vertexNumber % 64) & 1) == 0)
+            return neighbourCount; // most often so, without a look at the vertex
+        const std::uint32_t i = mesh.vertices[vertexNumber].ringIndex % kMaxNeighbours;
+        return i < neighbourCount && neighbour[i] == vertexNumber ? i : neighbourCount;
     }
 
     std::uint32_t facesOn(std::uint32_t i) const { return std::uint32_t{asSecond[i]} + asThird[i]; }
@@ -55,7 +57,9 @@ public:
     bool isBorder() const;
 
 private:
-    std::uint16_t indexOf(CollapseMesh& mesh, std::uint32_t vertexNumber, std::uint32_t face);
+    std::uint16_t note(CollapseMesh& mesh, std::uint32_t vertexNumber, std::uint32_t face);
+
+    std::uint64_t mFilter = 0; ///< bit n is set when some neighbour's number is n modulo 64
 };
 
 } // namespace lodsmith

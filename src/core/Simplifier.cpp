@@ -20,7 +20,7 @@ void Simplifier::prepare(std::uint32_t v, const VertexLocks& locks)
         dropRepeatedFaces();
     mOnBorder[v] = small && mRing.isBorder();
     const bool precious = !mMesh.importance.empty() && mMesh.importance[v] >= 1.0f;
-    if (precious || (locks.borders && mOnBorder[v]) || (locks.seams && mMesh.nextWedge[v] != kNone)) {
+    if (precious || (locks.borders && mOnBorder[v]) || (locks.seams && mMesh.vertices[v].hasSeam)) {
         mState[v] = kLocked;
         return;
     }
@@ -82,10 +82,25 @@ bool Simplifier::requeueStalled()
     return !mQueue.empty();
 }
 
+/// The queue jumps about in the mesh: each step asks for what the next ones will read, one link of the chain at a time.
+void Simplifier::prefetchAhead() const
+{
+    std::uint32_t v;
+    if (mQueue.expected(11, v))
+        mMesh.prefetchVertex(v);
+    if (mQueue.expected(8, v))
+        mMesh.prefetchFaceList(v);
+    if (mQueue.expected(5, v))
+        mMesh.prefetchFaces(v);
+    if (mQueue.expected(2, v))
+        mMesh.prefetchNeighbours(v);
+}
+
 /// Takes the front of the queue and collapses it, or puts it back where it belongs.
 void Simplifier::advance(const CollapseLimits& limits)
 {
     const CostMultiset::Entry front = mQueue.pop();
+    prefetchAhead();
     const std::uint32_t v = front.vertex;
     mState[v] &= static_cast<std::uint8_t>(~kQueued);
     if (!mMesh.isAlive(v))
@@ -96,7 +111,7 @@ void Simplifier::advance(const CollapseLimits& limits)
         return;
     }
     const bool stale = mState[v] & kStale;
-    Candidate candidate = stale ? evaluated() : Candidate{mRing.find(mMesh, mTarget[v]), front.cost};
+    Candidate candidate = stale ? evaluated() : Candidate{static_cast<int>(mRing.find(mMesh, mTarget[v])), front.cost};
     if (stale && candidate.neighbour >= 0 && !isFront(candidate.cost)) {
         enqueue(v, candidate);
         return;

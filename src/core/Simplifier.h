@@ -69,6 +69,7 @@ private:
     bool reached(const CollapseLimits& limits) const;
     bool requeueStalled();
     void advance(const CollapseLimits& limits);
+    void prefetchAhead() const;
     void enqueue(std::uint32_t vertex, const Candidate& candidate);
     Candidate evaluated();
     bool allowed(const CollapseLimits& limits, const Candidate& candidate);

@@ -8,7 +8,7 @@ bool WedgeMap::build(const CollapseMesh& mesh, const OneRing& ring, std::uint32_
     mCount = 1;
     mFrom[0] = ring.faces[0].wedge[0];
     mTo[0] = destination;
-    if (!ring.isSeam && mesh.nextWedge[destination] == kNone)
+    if (!ring.isSeam && !mesh.vertices[destination].hasSeam)
         return mesh.bufferOf(mFrom[0]) == mesh.bufferOf(destination);
     if (!mesh.wedgeMotion.empty() && !motionAllows(mesh, ring, neighbour))
         return false;

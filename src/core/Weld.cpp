@@ -267,6 +267,7 @@ private:
         }
         const std::uint32_t wedge = kExtra | static_cast<std::uint32_t>(mExtra.size());
         record(last).next = wedge;
+        mMesh.vertices[vertex].hasSeam = true;
         mSplitMotion |= motion == kNone;
         mExtra.push_back({buffer, index, kNone, motion == kNone ? wedge : motion});
         mMesh.extraWedgeVertex.push_back(vertex);
