@@ -30,7 +30,7 @@ bool hasFace(const OneRing& ring, std::uint32_t a, std::uint32_t b)
 bool CollapseCheck::allows(const OneRing& ring, std::uint32_t neighbour) const
 {
     const std::uint32_t destination = ring.neighbour[neighbour];
-    const std::uint32_t onEdge = ring.facesOn(neighbour);
+    const std::uint32_t onEdge = ring.facesOn[neighbour];
     if (onEdge == ring.faceCount && onEdge == mMesh.vertices[destination].liveFaces)
         return false; // nothing would be left of this piece
     if (mOnBorder[ring.vertex] && onEdge != 1)
@@ -85,9 +85,7 @@ bool CollapseCheck::keepsLink(const OneRing& ring, std::uint32_t neighbour) cons
         if (!sound || (found == 2 && hasFace(ring, common[0], common[1])))
             return false;
     }
-    bool simple = true;
-    for (std::uint32_t i = 0; i < ring.neighbourCount; ++i)
-        simple &= ring.facesOn(i) == 2;
+    const bool simple = std::all_of(ring.facesOn, ring.facesOn + ring.neighbourCount, [](std::uint16_t faces) { return faces == 2; });
     return simple || keepsEdgesManifold(ring, neighbour);
 }
 
@@ -143,8 +141,8 @@ bool CollapseCheck::keepsEdgesManifold(const OneRing& ring, std::uint32_t neighb
             for (std::uint32_t wedge : face.wedge)
                 there += mMesh.vertexOf(wedge) == destination;
         }
-        const std::uint32_t after = ring.facesOn(i) + there - 2 * between;
-        if (after == 0 || after > std::max({2u, ring.facesOn(i), there}))
+        const std::uint32_t after = ring.facesOn[i] + there - 2 * between;
+        if (after == 0 || after > std::max({2u, std::uint32_t{ring.facesOn[i]}, there}))
             return false;
     }
     return true;

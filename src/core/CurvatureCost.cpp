@@ -40,12 +40,12 @@ double CurvatureCost::bend(std::uint32_t neighbour) const
 
 double CurvatureCost::borderBend(std::uint32_t neighbour) const
 {
-    if (mRing->facesOn(neighbour) != 1)
+    if (mRing->facesOn[neighbour] != 1)
         return kOffBorder;
     double most = kLeastBend;
     const Vec3& along = mRing->edge[neighbour];
     for (std::uint32_t i = 0; i < mRing->neighbourCount; ++i) {
-        if (i == neighbour || mRing->facesOn(i) != 1)
+        if (i == neighbour || mRing->facesOn[i] != 1)
             continue;
         const double cosine = dot(along, mRing->edge[i]) / (length(along) * length(mRing->edge[i]));
         most = std::max(most, 0.5 * (cosine + 1.002));

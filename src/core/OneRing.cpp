@@ -12,35 +12,49 @@ bool OneRing::build(CollapseMesh& mesh, std::uint32_t v)
 {
     vertex = v;
     faceCount = neighbourCount = 0;
-    isSeam = false;
     mFilter = 0;
+    isSeam = isPlain = false;
     if (mesh.vertices[v].liveFaces == 0 || mesh.vertices[v].liveFaces > kMaxFaces)
         return false;
     mesh.compactFaceList(v);
     origin = mesh.position(v);
-    const std::uint32_t* list = mesh.faceList(v);
     faceCount = mesh.vertices[v].liveFaces;
+    std::uint32_t third[kMaxFaces];
+    const bool seamNear = readFaces(mesh, third);
+    // On an orientable fan every neighbour is the second corner of one face and the third of another.
+    for (std::uint32_t i = 0; i < faceCount; ++i)
+        faces[i].third = noteAgain(mesh, third[i], i);
+    isPlain = !seamNear;
+    for (std::uint32_t i = 0; i < neighbourCount; ++i)
+        isPlain &= facesOn[i] == 2;
+    return true;
+}
+
+/// Fills in the faces and their second corners, hands out their third ones, and tells whether any wedge is not its vertex's only one.
+bool OneRing::readFaces(CollapseMesh& mesh, std::uint32_t* third)
+{
+    const std::uint32_t* list = mesh.faceList(vertex);
     const std::uint32_t* extraWedgeVertex = mesh.extraWedgeVertex.data();
     const std::uint32_t vertexCount = mesh.vertexCount();
     const auto vertexOf = [=](std::uint32_t wedge) { return wedge < vertexCount ? wedge : extraWedgeVertex[wedge - vertexCount]; };
+    bool seamNear = false;
     for (std::uint32_t i = 0; i < faceCount; ++i) {
         const CollapseMesh::Face& face = mesh.faces[list[i]];
         const std::uint32_t at[3] = {vertexOf(face.wedge[0]), vertexOf(face.wedge[1]), vertexOf(face.wedge[2])};
-        const int corner = (at[1] == v) + 2 * (at[2] == v);
-        const int second = kNext[corner], third = kNext[second];
+        const int corner = (at[1] == vertex) + 2 * (at[2] == vertex);
+        const int next = kNext[corner], afterNext = kNext[next];
         RingFace& entry = faces[i];
         entry.face = list[i];
         entry.corner = static_cast<std::uint8_t>(corner);
         entry.wedge[0] = face.wedge[corner];
-        entry.wedge[1] = face.wedge[second];
-        entry.wedge[2] = face.wedge[third];
-        entry.second = note(mesh, at[second], i);
-        entry.third = note(mesh, at[third], i);
-        ++asSecond[entry.second];
-        ++asThird[entry.third];
+        entry.wedge[1] = face.wedge[next];
+        entry.wedge[2] = face.wedge[afterNext];
+        entry.second = note(mesh, at[next], i);
+        third[i] = at[afterNext];
         isSeam |= entry.wedge[0] != faces[0].wedge[0];
+        seamNear |= (at[0] != face.wedge[0]) | (at[1] != face.wedge[1]) | (at[2] != face.wedge[2]);
     }
-    return true;
+    return seamNear || isSeam;
 }
 
 /// Written without branches: in a list of faces in no order, whether a neighbour is new cannot be predicted.
@@ -54,18 +68,27 @@ inline std::uint16_t OneRing::note(CollapseMesh& mesh, std::uint32_t vertexNumbe
     mFilter |= std::uint64_t{1} << (vertexNumber % 64);
     neighbour[i] = vertexNumber;
     edge[i] = Vec3{record.position[0], record.position[1], record.position[2]} - origin;
-    asSecond[i] = known ? asSecond[i] : std::uint16_t{0};
-    asThird[i] = known ? asThird[i] : std::uint16_t{0};
+    facesOn[i] = static_cast<std::uint16_t>(known ? facesOn[i] + 1 : 1);
     firstFace[i] = known ? firstFace[i] : static_cast<std::uint8_t>(face);
     lastFace[i] = static_cast<std::uint8_t>(face);
     neighbourCount += known ? 0 : 1;
     return static_cast<std::uint16_t>(i);
 }
 
+inline std::uint16_t OneRing::noteAgain(CollapseMesh& mesh, std::uint32_t vertexNumber, std::uint32_t face)
+{
+    const std::uint32_t i = mesh.vertices[vertexNumber].ringIndex % kMaxNeighbours;
+    if (i >= neighbourCount || neighbour[i] != vertexNumber)
+        return note(mesh, vertexNumber, face);
+    ++facesOn[i];
+    lastFace[i] = static_cast<std::uint8_t>(face);
+    return static_cast<std::uint16_t>(i);
+}
+
 bool OneRing::isBorder() const
 {
     for (std::uint32_t i = 0; i < neighbourCount; ++i)
-        if (facesOn(i) == 1)
+        if (facesOn[i] == 1)
             return true;
     return false;
 }

@@ -27,15 +27,15 @@ public:
     Vec3 origin;
     std::uint32_t faceCount = 0;
     std::uint32_t neighbourCount = 0;
-    bool isSeam = false; ///< more than one wedge of this vertex is in use
+    bool isSeam = false;     ///< more than one wedge of this vertex is in use
+    bool isPlain = false;    ///< one closed fan or more of them, without a border, seam or edge of more than two faces
 
     RingFace faces[kMaxFaces];
     std::uint32_t neighbour[kMaxNeighbours];   ///< vertex numbers
     Vec3 edge[kMaxNeighbours];                 ///< from this vertex to the neighbour
     std::uint8_t firstFace[kMaxNeighbours];   ///< of the faces here that have the neighbour
     std::uint8_t lastFace[kMaxNeighbours];    ///< the same as the first on a border
-    std::uint16_t asSecond[kMaxNeighbours];    ///< faces that have the neighbour as second corner
-    std::uint16_t asThird[kMaxNeighbours];     ///< ... as third corner
+    std::uint16_t facesOn[kMaxNeighbours];    ///< faces on the edge to the neighbour
 
     /// Fills this ring; false, with an empty ring, when the vertex has no face or too many.
     bool build(CollapseMesh& mesh, std::uint32_t vertex);
@@ -50,14 +50,15 @@ public:
         return i < neighbourCount && neighbour[i] == vertexNumber ? i : neighbourCount;
     }
 
-    std::uint32_t facesOn(std::uint32_t i) const { return std::uint32_t{asSecond[i]} + asThird[i]; }
     bool contains(const RingFace& face, std::uint32_t i) const { return face.second == i || face.third == i; }
     std::uint32_t apexOf(const RingFace& face, std::uint32_t i) const { return face.second == i ? face.third : face.second; }
     std::uint32_t wedgeOf(const RingFace& face, std::uint32_t i) const { return face.second == i ? face.wedge[1] : face.wedge[2]; }
     bool isBorder() const;
 
 private:
+    bool readFaces(CollapseMesh& mesh, std::uint32_t* third);
     std::uint16_t note(CollapseMesh& mesh, std::uint32_t vertexNumber, std::uint32_t face);
+    std::uint16_t noteAgain(CollapseMesh& mesh, std::uint32_t vertexNumber, std::uint32_t face);
 
     std::uint64_t mFilter = 0; ///< bit n is set when some neighbour's number is n modulo 64
 };

@@ -35,7 +35,8 @@ void QuadricCost::begin(const CollapseMesh& mesh, const OneRing& ring)
         mQuadric.addSquare(normalOf(face), face.area);
         mArea += face.area;
     }
-    addConstraints();
+    if (!ring.isPlain || mesh.firstFaceOfSubMesh.size() > 2)
+        addConstraints();
     const double importance = mesh.importance.empty() ? 0.0 : mesh.importance[ring.vertex];
     mImportanceFactor = 1.0 / ((1.0 - importance) * (1.0 - importance));
     for (std::uint32_t i = 0; i < ring.neighbourCount; ++i) {
@@ -86,29 +87,27 @@ double QuadricCost::attributeCost(std::uint32_t neighbour)
 /// The face of this wedge that lies behind, seen along the edge, is continued to the destination.
 double QuadricCost::wedgeCost(const Vec3& edge, std::uint32_t wedge, std::uint32_t target) const
 {
-    // The barycentric coordinates, at the point opposite to the destination, of the face's second and third corner, times
-    // twice its area: the face that has both positive is the one behind.
-    double second = 0.0, third = 0.0, deepest = -kImpossible, area = 0.0;
+    double along[OneRing::kMaxNeighbours];
+    for (std::uint32_t i = 0; i < mRing->neighbourCount; ++i)
+        along[i] = dot(edge, mRing->edge[i]);
+    double least = kImpossible, area = 0.0;
     const OneRing::RingFace* behind = nullptr;
     for (std::uint32_t i = 0; i < mRing->faceCount; ++i) {
-        const OneRing::RingFace& ringFace = mRing->faces[i];
-        if (ringFace.wedge[0] != wedge)
+        const OneRing::RingFace& face = mRing->faces[i];
+        if (face.wedge[0] != wedge)
             continue;
-        const CollapseMesh::Face& face = mMesh->faces[ringFace.face];
-        area += face.area;
-        const Vec3 across = cross(edge, normalOf(face));
-        const double s = dot(across, mRing->edge[ringFace.third]), t = -dot(across, mRing->edge[ringFace.second]);
-        if (const double depth = std::min(s, t); depth > deepest) {
-            deepest = depth;
-            behind = &ringFace;
-            second = s;
-            third = t;
-        }
+        area += mMesh->faces[face.face].area;
+        const double sum = along[face.second] + along[face.third];
+        behind = sum < least ? &face : behind;
+        least = std::min(sum, least);
     }
-    const double thinnest = kThinnest * std::max(lengthSquared(mRing->edge[behind->second]), lengthSquared(mRing->edge[behind->third]));
-    const double inverse = 1.0 / std::max(2.0 * mMesh->faces[behind->face].area, thinnest);
-    return area * mMesh->secondDifference(wedge, target, behind->wedge[1], static_cast<float>(second * inverse),
-                                          behind->wedge[2], static_cast<float>(third * inverse));
+    // Barycentric coordinates of the second and third corner at the point opposite to the destination.
+    const CollapseMesh::Face& face = mMesh->faces[behind->face];
+    const Vec3 &second = mRing->edge[behind->second], &third = mRing->edge[behind->third];
+    const Vec3 across = cross(edge, normalOf(face));
+    const double inverse = 1.0 / std::max(2.0 * face.area, kThinnest * std::max(lengthSquared(second), lengthSquared(third)));
+    return area * mMesh->secondDifference(wedge, target, behind->wedge[1], static_cast<float>(dot(across, third) * inverse),
+                                          behind->wedge[2], static_cast<float>(-dot(across, second) * inverse));
 }
 
 /// Planes upright on the faces along borders, submesh borders and seams. The cross product carries the edge's length, so

@@ -4,6 +4,12 @@
 
 namespace lodsmith {
 
+namespace {
+
+constexpr std::uint32_t kCacheSize = 8192; // vertices of a mesh that fits the second-level cache whole
+
+} // namespace
+
 Simplifier::Simplifier(CollapseMesh& mesh, std::unique_ptr<CollapseCost> cost, const VertexLocks& locks)
     : mMesh(mesh), mCost(std::move(cost)), mOnBorder(mesh.vertexCount(), 0), mCheck(mesh, mOnBorder),
       mState(mesh.vertexCount(), 0), mTarget(mesh.vertexCount(), kNone)
@@ -33,8 +39,6 @@ void Simplifier::prepare(std::uint32_t v, const VertexLocks& locks)
 /// all, so that the ring of none prepared earlier changes.
 void Simplifier::dropRepeatedFaces()
 {
-    if (std::all_of(mRing.asSecond, mRing.asSecond + mRing.neighbourCount, [](std::uint16_t n) { return n <= 1; }))
-        return;
     const std::uint32_t before = mMesh.liveFaces;
     for (std::uint32_t i = 1; i < mRing.faceCount; ++i)
         for (std::uint32_t k = 0; k < i; ++k) {
@@ -43,6 +47,8 @@ void Simplifier::dropRepeatedFaces()
                 mMesh.subMeshOf(first.face) == mMesh.subMeshOf(second.face))
                 mMesh.removeFace(second.face);
         }
+    if (mMesh.liveFaces == before)
+        return;
     mMesh.summary.cleaned.repeatedTriangles += before - mMesh.liveFaces;
     mRing.build(mMesh, mRing.vertex);
 }
@@ -85,6 +91,8 @@ bool Simplifier::requeueStalled()
 /// The queue jumps about in the mesh: each step asks for what the next ones will read, one link of the chain at a time.
 void Simplifier::prefetchAhead() const
 {
+    if (mMesh.vertexCount() < kCacheSize)
+        return;
     std::uint32_t v;
     if (mQueue.expected(11, v))
         mMesh.prefetchVertex(v);
