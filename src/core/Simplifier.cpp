@@ -71,12 +71,10 @@ bool Simplifier::reached(const CollapseLimits& limits) const
     return mMesh.liveVertices <= limits.vertices || mMesh.liveFaces <= limits.triangles;
 }
 
-/// Vertices that could not be collapsed get another chance once others have been.
+/// Vertices that could not be collapsed get another chance: under new limits, or once others have been.
 bool Simplifier::requeueStalled()
 {
-    if (!mProgressed && !mHeldByLimit)
-        return false;
-    mProgressed = mHeldByLimit = false;
+    mCollapsedSince = 0;
     std::vector<std::uint32_t> stalled;
     stalled.swap(mStalled);
     for (std::uint32_t v : stalled) {
@@ -173,7 +171,7 @@ void Simplifier::collapse(const Candidate& candidate)
     touchRing();
     mLargestDeviation = std::max(mLargestDeviation, mPatchBound);
     mLargestLength = std::max(mLargestLength, mLength);
-    mProgressed = true;
+    ++mCollapsedSince;
 }
 
 void Simplifier::moveFaces(std::uint32_t neighbour)

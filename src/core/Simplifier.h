@@ -42,11 +42,12 @@ public:
     template <class Step>
     StopReason run(const CollapseLimits& limits, Step&& step)
     {
+        mHeldByLimit = false;
         requeueStalled();
         for (std::uint32_t steps = 0; !reached(limits); ++steps) {
             if (steps % 1024 == 0 && !step())
                 break;
-            if (mQueue.empty() && !requeueStalled())
+            if (mQueue.empty() && !(isWorthAnotherLook() && requeueStalled()))
                 break;
             advance(limits);
         }
@@ -67,6 +68,7 @@ private:
     void prepare(std::uint32_t vertex, const VertexLocks& locks);
     void dropRepeatedFaces();
     bool reached(const CollapseLimits& limits) const;
+    bool isWorthAnotherLook() const { return 64 * mCollapsedSince >= mStalled.size() && mCollapsedSince != 0; }
     bool requeueStalled();
     void advance(const CollapseLimits& limits);
     void prefetchAhead() const;
@@ -97,7 +99,7 @@ private:
     double mLength = 0.0;          ///< the candidate's cost as a length
     double mLargestDeviation = 0.0;
     double mLargestLength = 0.0;
-    bool mProgressed = false;      ///< something collapsed since stalled vertices were last queued
+    std::size_t mCollapsedSince = 0; ///< collapses since stalled vertices were last queued
     bool mHeldByLimit = false;     ///< some collapse was refused by this run's limits alone
 };
 

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "Peer.h"
+
+#include <lodsmith/ogre/ProgressiveMeshGenerator.h>
+
+namespace lodsmith::benchmarks {
+
+/// ProgressiveMeshGenerator on the loaded mesh, without the time it spends on vertex-cache order.
+class LodsmithPeer : public Peer {
+public:
+    LodsmithPeer(std::string name, SimplifyOptions options) : Peer(std::move(name)), mOptions(options) {}
+
+    bool knows(LevelTarget::Kind) const override { return true; }
+    double generate(Subject& subject, const std::vector<LevelTarget>& targets) override;
+    std::vector<PeerLevel> levels(const Subject& subject) const override;
+    void reset(Subject& subject) override { subject.removeLevels(); }
+
+private:
+    SimplifyOptions mOptions;
+    LodReport mReport;
+};
+
+} // namespace lodsmith::benchmarks

@@ -1,0 +1,41 @@
+#include "OgrePeer.h"
+
+#include "StoredLevels.h"
+
+#include <OgreDistanceLodStrategy.h>
+#include <OgreLodCollapseCostQuadric.h>
+#include <OgreLodConfig.h>
+#include <OgreMeshLodGenerator.h>
+
+#include <chrono>
+
+namespace lodsmith::benchmarks {
+
+double OgrePeer::generate(Subject& subject, const std::vector<LevelTarget>& targets)
+{
+    Ogre::MeshPtr mesh = subject.mesh();
+    Ogre::LodConfig config(mesh, Ogre::DistanceLodSphereStrategy::getSingletonPtr());
+    config.advanced.useBackgroundQueue = false;
+    Ogre::Real distance = 0;
+    for (const LevelTarget& target : targets)
+        config.createGeneratedLodLevel(distance += 100, Ogre::Real(target.amount), Ogre::LodLevel::VRM_PROPORTIONAL);
+
+    const auto start = std::chrono::steady_clock::now();
+    Ogre::LodCollapseCostPtr cost;
+    if (mCost == Cost::Quadric)
+        cost.reset(new Ogre::LodCollapseCostQuadric());
+    Ogre::MeshLodGenerator::getSingleton().generateLodLevels(config, cost);
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+
+    mSkipped.clear();
+    for (const Ogre::LodLevel& level : config.levels)
+        mSkipped.push_back(level.outSkipped);
+    return taken.count();
+}
+
+std::vector<PeerLevel> OgrePeer::levels(const Subject& subject) const
+{
+    return storedLevels(subject, mSkipped);
+}
+
+} // namespace lodsmith::benchmarks

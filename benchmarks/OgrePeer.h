@@ -1,0 +1,24 @@
+#pragma once
+
+#include "Peer.h"
+
+namespace lodsmith::benchmarks {
+
+/// OGRE's own MeshLodGenerator with its default settings, on the main thread.
+class OgrePeer : public Peer {
+public:
+    enum class Cost { Curvature, Quadric };
+
+    OgrePeer(std::string name, Cost cost) : Peer(std::move(name)), mCost(cost) {}
+
+    bool knows(LevelTarget::Kind kind) const override { return kind == LevelTarget::Kind::Proportional; }
+    double generate(Subject& subject, const std::vector<LevelTarget>& targets) override;
+    std::vector<PeerLevel> levels(const Subject& subject) const override;
+    void reset(Subject& subject) override { subject.removeLevels(); }
+
+private:
+    Cost mCost;
+    std::vector<bool> mSkipped;
+};
+
+} // namespace lodsmith::benchmarks

@@ -1,0 +1,52 @@
+#include "Peer.h"
+
+#include "CorePeer.h"
+#include "LodsmithPeer.h"
+#include "MeshoptPeer.h"
+#include "OgrePeer.h"
+
+namespace lodsmith::benchmarks {
+
+std::vector<std::unique_ptr<Peer>> makePeers()
+{
+    SimplifyOptions curvature;
+    curvature.metric = Metric::Curvature;
+    SimplifyOptions positions;
+    positions.weights = {0.0f, 0.0f, 0.0f, 0.0f};
+
+    std::vector<std::unique_ptr<Peer>> peers;
+    peers.push_back(std::make_unique<OgrePeer>(kOgreCurvature, OgrePeer::Cost::Curvature));
+    peers.push_back(std::make_unique<OgrePeer>("ogre-quadric", OgrePeer::Cost::Quadric));
+    peers.push_back(std::make_unique<MeshoptPeer>(kMeshoptimizer));
+    peers.push_back(std::make_unique<LodsmithPeer>(kLodsmith, SimplifyOptions{}));
+    peers.push_back(std::make_unique<CorePeer>(kLodsmithCore, SimplifyOptions{}));
+    peers.push_back(std::make_unique<LodsmithPeer>("lodsmith-positions", positions));
+    peers.push_back(std::make_unique<LodsmithPeer>("lodsmith-curvature", curvature));
+    return peers;
+}
+
+std::vector<LevelTarget> halvings()
+{
+    std::vector<LevelTarget> targets;
+    for (const double share : {0.5, 0.75, 0.875, 0.9375})
+        targets.push_back({LevelTarget::Kind::Proportional, share});
+    return targets;
+}
+
+std::vector<LevelTarget> triangleTargets(const std::vector<std::uint32_t>& counts)
+{
+    std::vector<LevelTarget> targets;
+    for (const std::uint32_t count : counts)
+        targets.push_back({LevelTarget::Kind::Triangles, double(count)});
+    return targets;
+}
+
+std::uint32_t triangleCount(const LevelIndices& level)
+{
+    std::size_t indices = 0;
+    for (const auto& subMesh : level)
+        indices += subMesh.size();
+    return static_cast<std::uint32_t>(indices / 3);
+}
+
+} // namespace lodsmith::benchmarks

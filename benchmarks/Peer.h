@@ -1,0 +1,60 @@
+#pragma once
+
+#include "Subject.h"
+
+#include <lodsmith/core/Simplify.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace lodsmith::benchmarks {
+
+/// One level as a peer left it.
+struct PeerLevel {
+    LevelIndices indices;
+    std::string stop; ///< why it holds more than its target, empty when the peer does not say
+};
+
+/// One way to make a chain of levels, measured beside the others on the same work.
+class Peer {
+public:
+    explicit Peer(std::string name) : mName(std::move(name)) {}
+    virtual ~Peer() = default;
+
+    const std::string& name() const { return mName; }
+
+    /// False for a target kind that the peer does not know: OGRE's generator has no triangle targets.
+    virtual bool knows(LevelTarget::Kind kind) const = 0;
+
+    /// Makes the whole chain and returns the seconds that count. The subject has no levels yet; one thread.
+    virtual double generate(Subject& subject, const std::vector<LevelTarget>& targets) = 0;
+
+    /// What the last generate() made, one level for each target; level 1 first.
+    virtual std::vector<PeerLevel> levels(const Subject& subject) const = 0;
+
+    /// Drops what generate() made. Not timed.
+    virtual void reset(Subject& subject) = 0;
+
+private:
+    std::string mName;
+};
+
+/// Names of the peers that tables compare with.
+inline constexpr const char* kOgreCurvature = "ogre-curvature";
+inline constexpr const char* kMeshoptimizer = "meshoptimizer";
+inline constexpr const char* kLodsmith = "lodsmith";
+inline constexpr const char* kLodsmithCore = "lodsmith-core";
+
+/// Every peer, in the order of the tables' columns.
+std::vector<std::unique_ptr<Peer>> makePeers();
+
+/// Four levels at 0.5, 0.75, 0.875 and 0.9375 of the vertices removed.
+std::vector<LevelTarget> halvings();
+
+/// One level for each number of triangles.
+std::vector<LevelTarget> triangleTargets(const std::vector<std::uint32_t>& counts);
+
+std::uint32_t triangleCount(const LevelIndices& level);
+
+} // namespace lodsmith::benchmarks

@@ -1,0 +1,9 @@
+# What the installed libraries stand on. The packages are found here, not in the rooms, and made global, so that every
+# directory sees their targets: the rooms, the tests, and a project that takes Lodsmith in with add_subdirectory().
+# LodsmithConfig.cmake.in finds the same packages for users of an installed Lodsmith.
+
+find_package(embree 3 CONFIG QUIET REQUIRED GLOBAL)
+if(LODSMITH_OGRE)
+    find_package(meshoptimizer CONFIG QUIET REQUIRED GLOBAL)
+    find_package(OGRE CONFIG QUIET REQUIRED GLOBAL)
+endif()

@@ -1,0 +1,56 @@
+# What users get: headers, libraries, the command, a CMake package with one component a room, and pkg-config files.
+
+include(CMakePackageConfigHelpers)
+
+set(LODSMITH_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/Lodsmith)
+set(LODSMITH_PKGCONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+set(LODSMITH_COMPONENTS "")
+
+# From the .pc files to the prefix, so that an installed tree can be moved.
+file(RELATIVE_PATH LODSMITH_PREFIX_FROM_PKGCONFIG
+    ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+string(REGEX REPLACE "/$" "" LODSMITH_PREFIX_FROM_PKGCONFIG "${LODSMITH_PREFIX_FROM_PKGCONFIG}")
+
+# Installs one library, its headers, its targets file and its .pc file.
+#   target     the library
+#   component  what find_package(Lodsmith COMPONENTS ...) calls it, and its folder of headers
+#   PC         name of the .pc file; REQUIRES and LIBS_PRIVATE (for static linking) are what it needs, as pkg-config words it
+function(lodsmith_install_library target component)
+    cmake_parse_arguments(INSTALLED "" "PC;REQUIRES;LIBS_PRIVATE" "" ${ARGN})
+    install(TARGETS ${target} EXPORT Lodsmith-${component}
+        RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(EXPORT Lodsmith-${component} NAMESPACE Lodsmith:: DESTINATION ${LODSMITH_CMAKE_DIR})
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/lodsmith/${component}
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lodsmith
+        FILES_MATCHING PATTERN "*.h")
+    set(LODSMITH_PC_CFLAGS "")
+    if(NOT BUILD_SHARED_LIBS)
+        set(LODSMITH_PC_CFLAGS " -DLODSMITH_STATIC")
+    endif()
+    configure_file(${PROJECT_SOURCE_DIR}/cmake/lodsmith.pc.in ${PROJECT_BINARY_DIR}/${INSTALLED_PC}.pc @ONLY)
+    install(FILES ${PROJECT_BINARY_DIR}/${INSTALLED_PC}.pc DESTINATION ${LODSMITH_PKGCONFIG_DIR})
+    set(LODSMITH_COMPONENTS ${LODSMITH_COMPONENTS} ${component} PARENT_SCOPE)
+endfunction()
+
+lodsmith_install_library(lodsmith_core core PC lodsmith-core)
+lodsmith_install_library(lodsmith_analysis analysis
+    PC lodsmith-analysis REQUIRES lodsmith-core LIBS_PRIVATE -lembree3)
+if(LODSMITH_OGRE)
+    lodsmith_install_library(lodsmith ogre
+        PC lodsmith REQUIRES "lodsmith-core OGRE" LIBS_PRIVATE -lmeshoptimizer)
+endif()
+if(LODSMITH_CLI)
+    install(TARGETS lodsmith_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/LodsmithConfig.cmake.in
+    ${PROJECT_BINARY_DIR}/LodsmithConfig.cmake
+    INSTALL_DESTINATION ${LODSMITH_CMAKE_DIR}
+    NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/LodsmithConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/LodsmithConfig.cmake ${PROJECT_BINARY_DIR}/LodsmithConfigVersion.cmake
+    DESTINATION ${LODSMITH_CMAKE_DIR})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
+    DESTINATION ${CMAKE_INSTALL_DOCDIR})

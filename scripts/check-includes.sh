@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Includes point left only: a room includes itself and the rooms and packages that stand left of it in the table below.
+# Prints each include that does not, and then fails. docs/architecture.md has the reasons.
+set -euo pipefail
+# shellcheck source=scripts/common.sh
+. "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+# check ROOM LEFT PACKAGES: LEFT and PACKAGES are extended regular expressions, the latter of whole include names.
+# The standard library's headers have neither slash nor dot and are allowed everywhere.
+cd "$root"
+status=0
+check() {
+    local room=$1 allowed="^(lodsmith/($2)/.*|[a-z_0-9]+|$3)$" file line name
+    while IFS=: read -r file line name; do
+        case $name in
+        \"*) # A private header: of this room, or of one to its left.
+            name=${name//\"/}
+            [[ $name =~ ^(\.\./($2)/)?[A-Za-z0-9]+\.h$ ]] && [ -f "$(dirname "$file")/$name" ] && continue
+            ;;
+        *)
+            name=${name//[<>]/}
+            [[ $name =~ $allowed ]] && continue
+            ;;
+        esac
+        say "$file:$line: $room may not include $name"
+        status=1
+    done < <(grep -rnoE --include='*.h' --include='*.cpp' '^ *#include *[<"][^>"]+[>"]' \
+        "include/lodsmith/$room" "src/$room" | sed -E 's/#include *//; s/: +/:/')
+}
+
+check core core 'boost/.*'
+check analysis 'core|analysis' 'boost/.*|embree3/.*'
+check ogre 'core|analysis|ogre' 'Ogre[A-Za-z]*\.h|meshoptimizer\.h'
+exit "$status"

@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds Lodsmith and runs it.
+#   scripts/run.sh              makes LODs for a model of media/ and says what to try next
+#   scripts/run.sh ARGUMENT...  runs `lodsmith ARGUMENT...`
+set -euo pipefail
+# shellcheck source=scripts/common.sh
+. "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+readonly lodsmith=$root/build/release/bin/lodsmith
+readonly demo_model=drake
+
+install_packages build
+configure release
+build release lodsmith_cli
+
+# Each first word that starts another program than `lodsmith` has its line here.
+case "${1-}" in
+"") ;;
+*) exec "$lodsmith" "$@" ;;
+esac
+
+"$lodsmith" generate "$root/media/$demo_model/$demo_model.mesh" -o "$root/build/demo/" --force
+cat <<EOF
+
+The mesh with its levels: $root/build/demo/$demo_model.mesh
+The command itself:       $lodsmith
+
+To try next, in $root:
+    ./scripts/run.sh inspect build/demo/$demo_model.mesh
+    ./scripts/run.sh measure build/demo/$demo_model.mesh
+    ./scripts/run.sh generate media/ -o build/demo/ --force --levels 20:proportional:0.5,60:proportional:0.8
+    ./scripts/run.sh import YOUR-MODEL.obj -o build/demo/yours.mesh
+    ./scripts/run.sh generate --help
+EOF

@@ -1,0 +1,205 @@
+#include "AtomicFile.h"
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace lodsmith::cli {
+
+namespace {
+
+constexpr int kNameAttempts = 1000;
+constexpr const char* kIsThere = "is there already; --force overwrites it";
+// What a chunk length in OGRE's formats can say.
+constexpr off_t kLargestFile = 0xffffffff;
+
+std::string leftoverPrefix(pid_t writer)
+{
+    return ".lodsmith-" + std::to_string(writer) + "-";
+}
+
+/// New files get what the umask leaves, replaced ones keep their permissions.
+mode_t permissionsFor(const fs::path& target)
+{
+    struct stat status = {};
+    return ::stat(target.c_str(), &status) == 0 ? status.st_mode & 07777 : 0666;
+}
+
+void syncDirectory(const fs::path& directory)
+{
+    const int descriptor = ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0)
+        return;
+    ::fsync(descriptor);
+    ::close(descriptor);
+}
+
+Error pathError(ErrorCode code, std::string message, const fs::path& path)
+{
+    Error error{code, std::move(message)};
+    error.file = path.string();
+    return error;
+}
+
+Result<std::string> readAll(int descriptor, const fs::path& path, std::size_t expected)
+{
+    std::string bytes;
+    bytes.reserve(expected);
+    char block[1 << 16];
+    for (;;) {
+        const ssize_t count = ::read(descriptor, block, sizeof block);
+        if (count == 0)
+            return bytes;
+        if (count > 0)
+            bytes.append(block, static_cast<std::size_t>(count));
+        else if (errno != EINTR)
+            return pathError(ErrorCode::Io, std::string("cannot be read: ") + std::strerror(errno), path);
+    }
+}
+
+} // namespace
+
+AtomicFile::AtomicFile(fs::path target, Existing existing) : mTarget(std::move(target)), mExisting(existing)
+{
+    mDirectory = mTarget.has_parent_path() ? mTarget.parent_path() : fs::path(".");
+}
+
+AtomicFile::~AtomicFile()
+{
+    if (mDescriptor >= 0)
+        ::close(mDescriptor);
+    if (!mTemporary.empty())
+        ::unlink(mTemporary.c_str());
+}
+
+Result<Done> AtomicFile::prepare(std::string_view bytes)
+{
+    if (auto allowed = checkTarget(mTarget, mExisting); !allowed)
+        return allowed.error();
+    std::error_code code;
+    fs::create_directories(mDirectory, code);
+    if (code)
+        return pathError(ErrorCode::Io, "the directory cannot be made: " + code.message(), mDirectory);
+    if (auto opened = openTemporary(); !opened)
+        return opened.error();
+    return writeAll(bytes);
+}
+
+Result<Done> AtomicFile::commit()
+{
+    LODSMITH_ASSERT(!mTemporary.empty() && mDescriptor < 0, "commit() follows a prepare() that succeeded");
+    auto moved = mExisting == Existing::Replace ? renameIntoPlace() : linkIntoPlace();
+    if (moved)
+        syncDirectory(mDirectory);
+    return moved;
+}
+
+Result<Done> AtomicFile::checkTarget(const fs::path& target, Existing existing)
+{
+    struct stat status = {};
+    if (::lstat(target.c_str(), &status) != 0)
+        return Done{};
+    if (!S_ISREG(status.st_mode) && !S_ISLNK(status.st_mode))
+        return pathError(ErrorCode::Io, "is there already and is no regular file", target);
+    if (existing == Existing::Keep)
+        return pathError(ErrorCode::Io, kIsThere, target);
+    return Done{};
+}
+
+void AtomicFile::removeLeftovers(const fs::path& directory, pid_t writer)
+{
+    std::error_code code;
+    const std::string prefix = leftoverPrefix(writer);
+    for (fs::directory_iterator entry(directory, code), end; !code && entry != end; entry.increment(code))
+        if (entry->path().filename().string().compare(0, prefix.size(), prefix) == 0)
+            ::unlink(entry->path().c_str());
+}
+
+Result<Done> AtomicFile::openTemporary()
+{
+    const mode_t permissions = permissionsFor(mTarget);
+    for (int attempt = 0; attempt < kNameAttempts; ++attempt) {
+        const fs::path name = mDirectory / (leftoverPrefix(::getpid()) + std::to_string(attempt) + ".tmp");
+        mDescriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, permissions);
+        if (mDescriptor >= 0) {
+            mTemporary = name;
+            return Done{};
+        }
+        if (errno != EEXIST)
+            break;
+    }
+    return failure("cannot be written");
+}
+
+Result<Done> AtomicFile::writeAll(std::string_view bytes)
+{
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(mDescriptor, bytes.data(), bytes.size());
+        if (count >= 0)
+            bytes.remove_prefix(static_cast<std::size_t>(count));
+        else if (errno != EINTR)
+            return failure("cannot be written");
+    }
+    if (::fsync(mDescriptor) != 0)
+        return failure("cannot be written");
+    // Some file systems report a full disk only here.
+    if (::close(std::exchange(mDescriptor, -1)) != 0)
+        return failure("cannot be written");
+    return Done{};
+}
+
+Result<Done> AtomicFile::linkIntoPlace()
+{
+    // link() never replaces anything, so that of two writers one loses and learns of it.
+    if (::link(mTemporary.c_str(), mTarget.c_str()) == 0)
+        return Done{};
+    if (errno == EEXIST)
+        return pathError(ErrorCode::Io, kIsThere, mTarget);
+    if (errno != EPERM && errno != EOPNOTSUPP && errno != ENOSYS)
+        return failure("cannot be written");
+    // A file system without hard links: look once more, then rename.
+    if (auto allowed = checkTarget(mTarget, mExisting); !allowed)
+        return allowed.error();
+    return renameIntoPlace();
+}
+
+Result<Done> AtomicFile::renameIntoPlace()
+{
+    if (::rename(mTemporary.c_str(), mTarget.c_str()) != 0)
+        return failure("cannot be written");
+    mTemporary.clear();
+    return Done{};
+}
+
+Error AtomicFile::failure(const std::string& what) const
+{
+    return pathError(ErrorCode::Io, what + ": " + std::strerror(errno), mTarget);
+}
+
+Result<std::string> readFile(const fs::path& path)
+{
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor < 0)
+        return pathError(errno == ENOENT ? ErrorCode::NotFound : ErrorCode::Io,
+                         errno == ENOENT ? "no such file" : std::string("cannot be opened: ") + std::strerror(errno), path);
+    struct stat status = {};
+    Result<std::string> content = pathError(ErrorCode::Io, "is no regular file", path);
+    if (::fstat(descriptor, &status) != 0)
+        content = pathError(ErrorCode::Io, std::string("cannot be read: ") + std::strerror(errno), path);
+    else if (S_ISDIR(status.st_mode))
+        content = pathError(ErrorCode::Io, "is a directory, not a file", path);
+    else if (status.st_size > kLargestFile)
+        content = pathError(ErrorCode::Io, "is larger than 4 GiB", path);
+    else if (S_ISREG(status.st_mode))
+        content = readAll(descriptor, path, static_cast<std::size_t>(status.st_size));
+    ::close(descriptor);
+    return content;
+}
+
+} // namespace lodsmith::cli

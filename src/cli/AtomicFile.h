@@ -1,0 +1,59 @@
+#pragma once
+
+#include <lodsmith/core/Result.h>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include <sys/types.h>
+
+namespace lodsmith::cli {
+
+/// What to do about a file that is already there.
+enum class Existing { Keep, Replace };
+
+/// A file that appears whole or not at all: written beside its place under a temporary name, then renamed.
+///
+/// Whatever fails, the target is as it was and the temporary file is gone once the object is. A process that is killed
+/// while it writes leaves its temporary file; removeLeftovers() clears it away.
+class AtomicFile {
+public:
+    /// Touches nothing yet.
+    AtomicFile(std::filesystem::path target, Existing existing);
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+
+    /// Writes everything to the temporary file and makes it durable; directories on the way are made. To be called once.
+    /// Errors: those of checkTarget(), Io.
+    Result<Done> prepare(std::string_view bytes);
+
+    /// Puts what was prepared in its place. Errors: those of checkTarget(), Io.
+    Result<Done> commit();
+
+    /// Whether a write could succeed as far as the target goes. Error: Io when it exists and is to be kept, or when it is
+    /// no regular file (which is never replaced).
+    static Result<Done> checkTarget(const std::filesystem::path& target, Existing existing);
+
+    /// Removes what process `writer`, which has ended, left half-written in a directory.
+    static void removeLeftovers(const std::filesystem::path& directory, pid_t writer);
+
+private:
+    Result<Done> openTemporary();
+    Result<Done> writeAll(std::string_view bytes);
+    Result<Done> linkIntoPlace();
+    Result<Done> renameIntoPlace();
+    Error failure(const std::string& what) const;
+
+    std::filesystem::path mTarget;
+    std::filesystem::path mDirectory;
+    std::filesystem::path mTemporary;
+    Existing mExisting;
+    int mDescriptor = -1;
+};
+
+/// The whole content of a regular file of at most 4 GiB. Errors: NotFound, Io (also for a directory or a device).
+Result<std::string> readFile(const std::filesystem::path& path);
+
+} // namespace lodsmith::cli

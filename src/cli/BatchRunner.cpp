@@ -1,0 +1,156 @@
+#include "BatchRunner.h"
+
+#include "AtomicFile.h"
+
+#include <algorithm>
+#include <csignal>
+
+#include <poll.h>
+
+namespace lodsmith::cli {
+
+namespace {
+
+constexpr std::uint64_t kMemoryFloor = std::uint64_t(4) << 30;
+constexpr std::uint64_t kMemoryPerInputByte = 64;
+constexpr int kPollMilliseconds = 100;
+
+volatile std::sig_atomic_t caughtSignal = 0;
+
+/// Notes interrupts while it lives, so that children and their half-written files can be cleared away.
+class SignalWatch {
+public:
+    SignalWatch()
+    {
+        caughtSignal = 0;
+        struct sigaction action = {};
+        action.sa_handler = [](int signal) { caughtSignal = signal; };
+        ::sigaction(SIGINT, &action, &mInterrupt);
+        ::sigaction(SIGTERM, &action, &mTerminate);
+    }
+    ~SignalWatch()
+    {
+        ::sigaction(SIGINT, &mInterrupt, nullptr);
+        ::sigaction(SIGTERM, &mTerminate, nullptr);
+        if (caughtSignal != 0)
+            ::raise(caughtSignal);
+    }
+    SignalWatch(const SignalWatch&) = delete;
+    SignalWatch& operator=(const SignalWatch&) = delete;
+
+private:
+    struct sigaction mInterrupt = {};
+    struct sigaction mTerminate = {};
+};
+
+ChildLimits limitsFor(const BatchJob& job, const BatchOptions& options)
+{
+    return {kMemoryFloor + kMemoryPerInputByte * job.inputBytes, options.secondsAFile};
+}
+
+void sweep(const BatchJob& job, pid_t writer)
+{
+    for (const auto& directory : job.outputDirectories)
+        AtomicFile::removeLeftovers(directory, writer);
+}
+
+Result<Json> withFile(Result<Json> outcome, const std::string& file)
+{
+    if (outcome || !outcome.error().file.empty())
+        return outcome;
+    Error error = outcome.error();
+    error.file = file;
+    return error;
+}
+
+} // namespace
+
+void BatchRunner::run(const std::vector<BatchJob>& jobs, const BatchSink& sink)
+{
+    const SignalWatch watch;
+    mOutcomes.assign(jobs.size(), std::nullopt);
+    mNextToStart = mNextToDeliver = 0;
+    while (mNextToDeliver < jobs.size()) {
+        startMore(jobs);
+        waitForNews();
+        if (caughtSignal != 0)
+            return abandon(jobs);
+        collectFinished(jobs);
+        deliver(sink);
+        showProgress(jobs);
+    }
+    mProgress.clear();
+}
+
+void BatchRunner::startMore(const std::vector<BatchJob>& jobs)
+{
+    for (; mNextToStart < jobs.size() && mRunning.size() < mOptions.workers; ++mNextToStart) {
+        const BatchJob& job = jobs[mNextToStart];
+        auto child = ChildProcess::start(job.work, limitsFor(job, mOptions));
+        if (child)
+            mRunning.push_back({mNextToStart, std::move(child).value()});
+        else
+            mOutcomes[mNextToStart] = withFile(child.error(), job.file);
+    }
+}
+
+void BatchRunner::waitForNews() const
+{
+    std::vector<pollfd> descriptors;
+    for (const Running& running : mRunning)
+        for (const int descriptor : {running.child->resultDescriptor(), running.child->messageDescriptor()})
+            if (descriptor >= 0)
+                descriptors.push_back({descriptor, POLLIN, 0});
+    if (!descriptors.empty())
+        ::poll(descriptors.data(), descriptors.size(), kPollMilliseconds);
+}
+
+void BatchRunner::collectFinished(const std::vector<BatchJob>& jobs)
+{
+    const auto ended = [&](Running& running) {
+        if (running.child->pump())
+            return false;
+        const pid_t id = running.child->id();
+        const double seconds = running.child->seconds();
+        const BatchJob& job = jobs[running.job];
+        const Result<Json> outcome = withFile(running.child->finish(), job.file);
+        if (!outcome)
+            sweep(job, id);
+        mProgress.finished(job.file, seconds, outcome.ok());
+        mOutcomes[running.job] = outcome;
+        return true;
+    };
+    mRunning.erase(std::remove_if(mRunning.begin(), mRunning.end(), ended), mRunning.end());
+}
+
+void BatchRunner::deliver(const BatchSink& sink)
+{
+    for (; mNextToDeliver < mOutcomes.size() && mOutcomes[mNextToDeliver]; ++mNextToDeliver) {
+        mProgress.clear();
+        sink(mNextToDeliver, *mOutcomes[mNextToDeliver]);
+        mOutcomes[mNextToDeliver] = Result<Json>(Json());
+    }
+}
+
+void BatchRunner::showProgress(const std::vector<BatchJob>& jobs)
+{
+    if (mRunning.empty())
+        return;
+    double fractions = 0.0;
+    for (const Running& running : mRunning)
+        fractions += static_cast<double>(running.child->fraction());
+    mProgress.show(jobs[mRunning.front().job].file, fractions);
+}
+
+void BatchRunner::abandon(const std::vector<BatchJob>& jobs)
+{
+    for (Running& running : mRunning) {
+        const pid_t id = running.child->id();
+        running.child.reset();
+        sweep(jobs[running.job], id);
+    }
+    mRunning.clear();
+    mProgress.clear();
+}
+
+} // namespace lodsmith::cli

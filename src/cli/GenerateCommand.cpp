@@ -1,0 +1,251 @@
+#include "Commands.h"
+#include "Generation.h"
+#include "GenerationReport.h"
+#include "Numbers.h"
+
+#include <cstdio>
+#include <memory>
+#include <set>
+
+namespace fs = std::filesystem;
+
+namespace lodsmith::cli {
+
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  lodsmith generate tree.mesh -o tree-lod.mesh
+      automatic levels (four, by pixel count)
+  lodsmith generate tree.mesh -o out/ --levels 20:proportional:0.5,60:proportional:0.75
+      half of the vertices from distance 20 on, a quarter from 60
+  lodsmith generate models -o out -j 4 --json > report.jsonl
+      every .mesh below models/, four at a time, one JSON object a mesh
+  lodsmith generate house.mesh -o out/ --levels 50:deviation:0.02,400:mesh:box.mesh
+      as few triangles as 0.02 units of deviation allow, then a hand-made box
+)";
+
+constexpr double kLargestWeight = 1e6;
+
+/// Everything the command line of `generate` says.
+struct GenerateArguments {
+    std::vector<std::string> inputs;
+    std::string output;
+    std::optional<std::string> levels;
+    std::string strategy;
+    GenerateSettings settings;
+    BatchOptions batch;
+    bool weighted = false; ///< one of the weights was given
+    bool json = false;
+};
+
+Result<std::string> parseStrategy(const std::string& word)
+{
+    if (word == "distance" || word == "distance_sphere")
+        return std::string("distance_sphere");
+    if (word == "pixelcount" || word == "pixel_count")
+        return std::string("pixel_count");
+    if (word == "distance_box" || word == "screen_ratio_pixel_count")
+        return word;
+    return Error{ErrorCode::InvalidSetting, "'" + word + "' is no strategy; there are distance and pixelcount (and OGRE's own "
+                                            "distance_sphere, distance_box, pixel_count, screen_ratio_pixel_count)"};
+}
+
+Result<Metric> parseMetric(const std::string& word)
+{
+    if (word == "quadric")
+        return Metric::Quadric;
+    if (word == "curvature")
+        return Metric::Curvature;
+    return Error{ErrorCode::InvalidSetting, "'" + word + "' is no metric; there are quadric and curvature"};
+}
+
+Result<float> parseWeight(const std::string& text)
+{
+    const std::optional<double> weight = parseNumber(text);
+    if (!weight || *weight < 0.0 || *weight > kLargestWeight)
+        return Error{ErrorCode::InvalidSetting, "'" + text + "' is no number from 0 to 1000000"};
+    return static_cast<float>(*weight);
+}
+
+LevelOrder orderOf(const std::string& strategy)
+{
+    return strategy.find("pixel") == std::string::npos ? LevelOrder::Rising : LevelOrder::Falling;
+}
+
+/// Hand-made meshes end up beside the output under their own names, which therefore have to differ.
+void checkManualLevels(const std::vector<LevelSpec>& levels, const std::vector<PlannedFile>& plan)
+{
+    std::set<fs::path> names;
+    for (const LevelSpec& level : levels) {
+        if (!level.isManual())
+            continue;
+        const fs::path name = fs::path(level.meshFile).filename();
+        if (name.empty() || !names.insert(name).second)
+            throw UsageError("--levels: '" + level.meshFile + "' needs a file name that no other level has");
+        for (const PlannedFile& file : plan)
+            if (file.output.filename() == name)
+                throw UsageError("--levels: '" + level.meshFile + "' has the file name of the output '" +
+                                 file.output.string() + "'");
+    }
+}
+
+void checkWeights(const GenerateArguments& arguments)
+{
+    const Metric usual = arguments.levels ? Metric::Quadric : Metric::Curvature;
+    if (arguments.weighted && arguments.settings.metric.value_or(usual) == Metric::Curvature)
+        throw UsageError("attribute weights count under the quadric metric alone: add --metric quadric");
+}
+
+void resolveLevels(GenerateArguments& arguments)
+{
+    if (!arguments.levels) {
+        if (!arguments.strategy.empty())
+            throw UsageError("--strategy needs --levels: the automatic levels are pixel counts");
+        return;
+    }
+    arguments.settings.strategy = arguments.strategy.empty() ? "distance_sphere" : arguments.strategy;
+    Result<std::vector<LevelSpec>> levels = parseLevelSpecs(*arguments.levels, orderOf(arguments.settings.strategy));
+    if (!levels)
+        throw UsageError("--levels: " + levels.error().message);
+    arguments.settings.levels = std::move(levels).value();
+}
+
+std::vector<PlannedFile> planFiles(const GenerateArguments& arguments)
+{
+    Result<std::vector<PlannedFile>> plan = planOutputs(arguments.inputs, arguments.output);
+    if (!plan)
+        throw UsageError(plan.error().message);
+    checkManualLevels(arguments.settings.levels, plan.value());
+    return std::move(plan).value();
+}
+
+BatchJob makeJob(const PlannedFile& file, const GenerateSettings& settings)
+{
+    BatchJob job;
+    job.file = file.input.string();
+    job.inputBytes = fileBytes(file.input);
+    job.outputDirectories = {file.output.has_parent_path() ? file.output.parent_path() : fs::path(".")};
+    job.work = [&file, &settings](Progress& progress) -> Result<Json> {
+        if (file.error)
+            return *file.error;
+        // Before the work rather than after it; writing looks again.
+        if (auto allowed = AtomicFile::checkTarget(file.output, settings.write.existing); !allowed)
+            return allowed.error();
+        return generateFile(settings, file, progress);
+    };
+    return job;
+}
+
+Json completeRecord(const PlannedFile& file, const Result<Json>& outcome)
+{
+    if (!outcome)
+        return failedRecord(file, outcome.error());
+    Json record{{"input", file.input.string()}, {"output", file.output.string()}};
+    record.update(outcome.value());
+    record["error"] = nullptr;
+    return record;
+}
+
+int runGenerate(GenerateArguments& arguments)
+{
+    checkWeights(arguments);
+    if (!holdsLevels(arguments.settings.write.format.version))
+        throw UsageError("--mesh-version: OGRE writes no levels of detail in mesh formats 1.0 and 1.4");
+    resolveLevels(arguments);
+    const std::vector<PlannedFile> plan = planFiles(arguments);
+    std::vector<BatchJob> jobs;
+    for (const PlannedFile& file : plan)
+        jobs.push_back(makeJob(file, arguments.settings));
+    return runBatch(jobs, arguments.batch, [&](std::size_t job, const Result<Json>& outcome) {
+        const Json record = completeRecord(plan[job], outcome);
+        if (arguments.json)
+            std::printf("%s\n", toLine(record).c_str());
+        else if (outcome)
+            std::printf("%s\n", generationReport(record, arguments.settings.repeat).c_str());
+    });
+}
+
+void addSimplifierOptions(CLI::App& command, GenerateArguments& arguments)
+{
+    addParsedOption(command, "--metric", "What a collapse costs: quadric or curvature [quadric; curvature for automatic levels]",
+                    [&arguments](const std::string& word) -> Result<Done> {
+                        const Result<Metric> metric = parseMetric(word);
+                        if (!metric)
+                            return metric.error();
+                        arguments.settings.metric = metric.value();
+                        return Done{};
+                    })
+        ->type_name("METRIC");
+    const auto addWeight = [&](const std::string& name, float& weight, const std::string& help) {
+        addParsedOption(command, name, help, [&arguments, &weight](const std::string& text) -> Result<Done> {
+            const Result<float> parsed = parseWeight(text);
+            if (!parsed)
+                return parsed.error();
+            weight = parsed.value();
+            arguments.weighted = true;
+            return Done{};
+        })->type_name("WEIGHT");
+    };
+    AttributeWeights& weights = arguments.settings.weights;
+    addWeight("--normal-weight", weights.normal, "How much normals count beside shape; 0 for not at all");
+    addWeight("--uv-weight", weights.uv, "How much texture coordinates count");
+    addWeight("--colour-weight", weights.colour, "How much vertex colours count");
+    addWeight("--bone-weight", weights.bone, "How much bone weights count");
+    command.add_flag("--lock-borders", arguments.settings.lockBorders, "Leave vertices on borders alone");
+    command.add_flag("--lock-seams", arguments.settings.lockSeams, "Leave vertices on seams alone");
+}
+
+void addLevelOptions(CLI::App& command, GenerateArguments& arguments)
+{
+    addParsedOption(command, "--levels",
+                    "Levels, nearest first, with commas between: VALUE:METHOD:AMOUNT or VALUE:mesh:FILE. VALUE is a distance in "
+                    "world units or a pixel count. METHOD and AMOUNT: proportional and the share of the vertices removed, "
+                    "constant and their number, triangles and how many are kept, deviation and its bound in world units, "
+                    "collapsecost and the dearest collapse. FILE is a hand-made mesh. [automatic levels]",
+                    [&arguments](const std::string& text) -> Result<Done> {
+                        arguments.levels = text;
+                        return Done{};
+                    })
+        ->type_name("SPEC,...");
+    addParsedOption(command, "--strategy", "What VALUE is: distance or pixelcount [distance]",
+                    [&arguments](const std::string& word) -> Result<Done> {
+                        const Result<std::string> strategy = parseStrategy(word);
+                        if (!strategy)
+                            return strategy.error();
+                        arguments.strategy = strategy.value();
+                        return Done{};
+                    })
+        ->type_name("STRATEGY");
+}
+
+void addRunOptions(CLI::App& command, GenerateArguments& arguments)
+{
+    command.add_flag("--share-buffers", arguments.settings.shareBuffers, "Let two levels share one index buffer");
+    addCountOption(command, "--repeat", arguments.settings.repeat, 1, 100000, "Generate N times, for the times reported [1]")
+        ->type_name("N");
+    addCountOption(command, "-j,--jobs", arguments.batch.workers, 1, 1024, "Work on N files at a time [1]")->type_name("N");
+    addTimeLimitOption(command, arguments.batch);
+    command.add_flag("--json", arguments.json, "Print one JSON object a mesh on standard output, and nothing else there");
+    addWriteOptions(command, arguments.settings.write);
+}
+
+} // namespace
+
+void addGenerateCommand(CLI::App& app, int& exitCode)
+{
+    const auto arguments = std::make_shared<GenerateArguments>();
+    CLI::App* command = app.add_subcommand("generate", "Give meshes levels of detail");
+    command->add_option("IN", arguments->inputs, "Meshes, or directories with meshes at any depth")->required();
+    command
+        ->add_option("-o,--output", arguments->output,
+                     "Where the result goes: a file, or a directory when it is one, ends in '/', or there are several inputs")
+        ->required()
+        ->type_name("OUT");
+    addLevelOptions(*command, *arguments);
+    addSimplifierOptions(*command, *arguments);
+    addRunOptions(*command, *arguments);
+    command->footer(kExamples);
+    command->callback([arguments, &exitCode] { exitCode = runGenerate(*arguments); });
+}
+
+} // namespace lodsmith::cli

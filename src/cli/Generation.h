@@ -1,0 +1,37 @@
+#pragma once
+
+#include "CommandOptions.h"
+#include "JsonRecord.h"
+#include "LevelSpec.h"
+#include "OutputPlan.h"
+
+#include <lodsmith/core/Progress.h>
+#include <lodsmith/core/Simplify.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lodsmith::cli {
+
+/// What `lodsmith generate` was asked to do with each mesh.
+struct GenerateSettings {
+    std::vector<LevelSpec> levels;  ///< empty for the automatic configuration
+    std::string strategy;           ///< OGRE's name; not used by the automatic configuration
+    std::optional<Metric> metric;   ///< nothing: quadric, and curvature for the automatic configuration
+    AttributeWeights weights;
+    bool lockBorders = false;
+    bool lockSeams = false;
+    bool shareBuffers = false;
+    unsigned repeat = 1; ///< >= 1
+    WriteOptions write;
+};
+
+/// Loads a mesh, gives it levels, writes it, and says how that went; see docs/cli.md for the members of the record.
+/// Starts OGRE: to be called in a child process. Errors: those of loading, generating and writing.
+Result<Json> generateFile(const GenerateSettings& settings, const PlannedFile& file, Progress& progress);
+
+/// The record of a mesh that failed: the same members, without values.
+Json failedRecord(const PlannedFile& file, const Error& error);
+
+} // namespace lodsmith::cli

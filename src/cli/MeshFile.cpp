@@ -1,0 +1,193 @@
+#include "MeshFile.h"
+
+#include "MeshStreams.h"
+#include "OgreSession.h"
+
+#include <OgreSubMesh.h>
+
+#include <memory>
+
+namespace fs = std::filesystem;
+
+namespace lodsmith::cli {
+
+namespace {
+
+Error withMessage(ErrorCode code, std::string message)
+{
+    return Error{code, std::move(message)};
+}
+
+bool swapsBytes(Ogre::Serializer::Endian endian)
+{
+#if OGRE_ENDIAN == OGRE_ENDIAN_BIG
+    return endian == Ogre::Serializer::ENDIAN_LITTLE;
+#else
+    return endian == Ogre::Serializer::ENDIAN_BIG;
+#endif
+}
+
+bool canSwap(const Ogre::VertexElement& element)
+{
+    switch (Ogre::VertexElement::getBaseType(element.getType())) {
+    case Ogre::VET_FLOAT1:
+    case Ogre::VET_DOUBLE1:
+    case Ogre::VET_SHORT1:
+    case Ogre::VET_USHORT1:
+    case Ogre::VET_INT1:
+    case Ogre::VET_UINT1:
+    case Ogre::VET_UBYTE4:
+    case Ogre::VET_COLOUR:
+    case Ogre::VET_COLOUR_ABGR:
+    case Ogre::VET_COLOUR_ARGB: return true;
+    default: return false;
+    }
+}
+
+bool canSwap(const Ogre::VertexData* data)
+{
+    if (data)
+        for (const Ogre::VertexElement& element : data->vertexDeclaration->getElements())
+            if (!canSwap(element))
+                return false;
+    return true;
+}
+
+bool canSwap(const Ogre::Mesh& mesh)
+{
+    for (const Ogre::SubMesh* subMesh : mesh.getSubMeshes())
+        if (!subMesh->useSharedVertices && !canSwap(subMesh->vertexData))
+            return false;
+    return canSwap(mesh.sharedVertexData);
+}
+
+Result<Done> checkFormat(const Ogre::Mesh& mesh, const MeshFormat& format)
+{
+    if (!holdsLevels(format.version) && mesh.getNumLodLevels() > 1)
+        return withMessage(ErrorCode::Unsupported, "OGRE writes no levels of detail in mesh formats 1.0 and 1.4");
+    if (swapsBytes(format.endian) && !canSwap(mesh))
+        return withMessage(ErrorCode::Unsupported,
+                           "has vertex elements (colours, for one) whose byte order OGRE cannot turn; use --endian native");
+    return Done{};
+}
+
+/// A companion on its way to its place.
+struct Copy {
+    std::unique_ptr<AtomicFile> file; // null when nothing has to be done
+    fs::path target;
+    std::string content;
+};
+
+bool hasContent(const fs::path& path, const std::string& content)
+{
+    const Result<std::string> present = readFile(path);
+    return present && present.value() == content;
+}
+
+Result<Copy> prepareCopy(const Companion& companion, const fs::path& target, Existing existing)
+{
+    Result<std::string> content = readFile(companion.source);
+    if (!content)
+        return content.error();
+    Copy copy{nullptr, target, std::move(content).value()};
+    if (!hasContent(target, copy.content)) {
+        copy.file = std::make_unique<AtomicFile>(target, existing);
+        if (auto prepared = copy.file->prepare(copy.content); !prepared)
+            return prepared.error();
+    }
+    return copy;
+}
+
+Result<Done> commitCopy(const Copy& copy)
+{
+    if (!copy.file)
+        return Done{};
+    auto committed = copy.file->commit();
+    // Another process may have brought the same file in the meantime, for a mesh with the same skeleton.
+    return committed || hasContent(copy.target, copy.content) ? Result<Done>(Done{}) : committed;
+}
+
+} // namespace
+
+Result<Ogre::MeshVersion> parseMeshVersion(const std::string& word)
+{
+    if (word == "1.0")
+        return Ogre::MESH_VERSION_1_0;
+    if (word == "1.4")
+        return Ogre::MESH_VERSION_1_4;
+    if (word == "1.41")
+        return Ogre::MESH_VERSION_1_7;
+    if (word == "1.8")
+        return Ogre::MESH_VERSION_1_8;
+    if (word == "1.10")
+        return Ogre::MESH_VERSION_1_10;
+    return withMessage(ErrorCode::InvalidSetting, "'" + word + "' is no mesh version; there are 1.0, 1.4, 1.41, 1.8 and 1.10");
+}
+
+Result<Ogre::Serializer::Endian> parseEndian(const std::string& word)
+{
+    if (word == "native")
+        return Ogre::Serializer::ENDIAN_NATIVE;
+    if (word == "little")
+        return Ogre::Serializer::ENDIAN_LITTLE;
+    if (word == "big")
+        return Ogre::Serializer::ENDIAN_BIG;
+    return withMessage(ErrorCode::InvalidSetting, "'" + word + "' is no byte order; there are native, little and big");
+}
+
+bool holdsLevels(Ogre::MeshVersion version)
+{
+    return version != Ogre::MESH_VERSION_1_4 && version != Ogre::MESH_VERSION_1_0;
+}
+
+Result<std::string> meshBytes(const Ogre::Mesh& mesh, const MeshFormat& format)
+{
+    if (auto possible = checkFormat(mesh, format); !possible)
+        return possible.error();
+    const auto stream = std::make_shared<CollectingStream>();
+    try {
+        Ogre::MeshSerializer().exportMesh(&mesh, stream, format.version, format.endian);
+    } catch (const Ogre::Exception& exception) {
+        return withMessage(ErrorCode::Unsupported, "OGRE cannot write it: " + exception.getDescription());
+    }
+    return stream->bytes();
+}
+
+std::vector<Companion> findSkeleton(const Ogre::Mesh& mesh, const fs::path& meshPath, std::vector<std::string>& notes)
+{
+    if (!mesh.hasSkeleton())
+        return {};
+    const std::string& name = mesh.getSkeletonName();
+    const fs::path source = meshPath.parent_path() / name;
+    std::error_code ignored;
+    if (!OgreSession::staysInside(name) || fs::path(name).extension() != ".skeleton")
+        notes.push_back("skeleton '" + name + "' is no .skeleton file below the mesh's directory: not read, not copied");
+    else if (!fs::exists(source, ignored))
+        notes.push_back("skeleton '" + name + "' is not there: not copied");
+    else
+        return {{source, name}};
+    return {};
+}
+
+Result<Done> writeMeshFiles(const fs::path& target, const std::string& bytes, const std::vector<Companion>& companions,
+                            Existing existing)
+{
+    // All are prepared before the first appears: whatever can run out has run out by then.
+    std::vector<Copy> copies;
+    for (const Companion& companion : companions) {
+        Result<Copy> copy = prepareCopy(companion, target.parent_path() / companion.name, existing);
+        if (!copy)
+            return copy.error();
+        copies.push_back(std::move(copy).value());
+    }
+    AtomicFile mesh(target, existing);
+    if (auto prepared = mesh.prepare(bytes); !prepared)
+        return prepared.error();
+
+    for (const Copy& copy : copies)
+        if (auto committed = commitCopy(copy); !committed)
+            return committed;
+    return mesh.commit();
+}
+
+} // namespace lodsmith::cli

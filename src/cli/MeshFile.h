@@ -1,0 +1,50 @@
+#pragma once
+
+#include "AtomicFile.h"
+
+#include <lodsmith/core/Result.h>
+
+#include <OgreMesh.h>
+#include <OgreMeshSerializer.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace lodsmith::cli {
+
+/// How a mesh is written.
+struct MeshFormat {
+    Ogre::MeshVersion version = Ogre::MESH_VERSION_1_10;
+    Ogre::Serializer::Endian endian = Ogre::Serializer::ENDIAN_NATIVE;
+};
+
+/// "1.0", "1.4", "1.41", "1.8" or "1.10", OGRE's names of its mesh formats. Error: InvalidSetting.
+Result<Ogre::MeshVersion> parseMeshVersion(const std::string& word);
+
+/// "native", "little" or "big". Error: InvalidSetting.
+Result<Ogre::Serializer::Endian> parseEndian(const std::string& word);
+
+/// Whether OGRE writes levels of detail in a format; in 1.0 and 1.4 it leaves them out without a word.
+bool holdsLevels(Ogre::MeshVersion version);
+
+/// The bytes of a `.mesh` file. Error: Unsupported when the mesh has levels that the format does not hold, or vertex elements
+/// whose byte order OGRE does not turn (normalised bytes among them).
+Result<std::string> meshBytes(const Ogre::Mesh& mesh, const MeshFormat& format);
+
+/// A file that goes along with a mesh.
+struct Companion {
+    std::filesystem::path source;
+    std::string name; ///< relative to the mesh's directory, as the mesh names it
+};
+
+/// The skeleton file that a mesh loaded from `meshPath` names, if it lies beside it; otherwise a sentence in `notes`.
+std::vector<Companion> findSkeleton(const Ogre::Mesh& mesh, const std::filesystem::path& meshPath,
+                                    std::vector<std::string>& notes);
+
+/// Writes a mesh and copies its companions, all or nothing. A companion that is there already with the same content
+/// stays as it is, whatever `existing` says. Errors: Io, NotFound; file is the one that failed.
+Result<Done> writeMeshFiles(const std::filesystem::path& target, const std::string& bytes,
+                            const std::vector<Companion>& companions, Existing existing);
+
+} // namespace lodsmith::cli

@@ -1,0 +1,118 @@
+#include "OutputPlan.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+
+namespace fs = std::filesystem;
+
+namespace lodsmith::cli {
+
+namespace {
+
+/// One spelling for a path, so that "a/../b" and "b" are seen to be the same file even before it exists.
+fs::path identity(const fs::path& path)
+{
+    std::error_code code;
+    const fs::path canonical = fs::weakly_canonical(fs::absolute(path, code), code);
+    return code ? fs::absolute(path).lexically_normal() : canonical;
+}
+
+bool isMeshName(const fs::path& path)
+{
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    return extension == ".mesh";
+}
+
+PlannedFile failed(const fs::path& input, ErrorCode code, std::string message)
+{
+    Error error{code, std::move(message)};
+    error.file = input.string();
+    return {input, {}, std::move(error)};
+}
+
+Result<std::vector<fs::path>> findMeshFiles(const fs::path& directory, const fs::path& skipped)
+{
+    std::vector<fs::path> files;
+    std::error_code code;
+    fs::recursive_directory_iterator entry(directory, code);
+    for (const fs::recursive_directory_iterator end; !code && entry != end; entry.increment(code)) {
+        std::error_code ignored;
+        if (entry->is_directory(ignored) && identity(entry->path()) == skipped)
+            entry.disable_recursion_pending();
+        else if (isMeshName(entry->path()) && !entry->is_directory(ignored))
+            files.push_back(entry->path());
+    }
+    if (code)
+        return Error{ErrorCode::Io, "the directory cannot be read: " + code.message()};
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+void planDirectory(const fs::path& directory, const fs::path& output, std::vector<PlannedFile>& plan)
+{
+    Result<std::vector<fs::path>> files = findMeshFiles(directory, identity(output));
+    if (!files)
+        plan.push_back(failed(directory, files.error().code, files.error().message));
+    else if (files.value().empty())
+        plan.push_back(failed(directory, ErrorCode::NotFound, "the directory holds no .mesh file"));
+    else
+        for (const fs::path& file : files.value())
+            plan.push_back({file, output / file.lexically_relative(directory), std::nullopt});
+}
+
+Error invalid(std::string message)
+{
+    return Error{ErrorCode::InvalidSetting, std::move(message)};
+}
+
+Result<Done> checkCollisions(const std::vector<PlannedFile>& plan)
+{
+    std::map<fs::path, const PlannedFile*> byOutput;
+    for (const PlannedFile& file : plan) {
+        if (file.error)
+            continue;
+        const auto [other, isNew] = byOutput.emplace(identity(file.output), &file);
+        if (!isNew)
+            return invalid("both '" + other->second->input.string() + "' and '" + file.input.string() + "' would become '" +
+                           file.output.string() + "'");
+    }
+    for (const PlannedFile& file : plan) {
+        if (file.error)
+            continue;
+        const auto writer = byOutput.find(identity(file.input));
+        if (writer != byOutput.end() && writer->second != &file)
+            return invalid("the output of '" + writer->second->input.string() + "' is the input '" + file.input.string() + "'");
+    }
+    return Done{};
+}
+
+} // namespace
+
+Result<std::vector<PlannedFile>> planOutputs(const std::vector<std::string>& inputs, const std::string& output)
+{
+    if (output.empty())
+        return invalid("the output has no name");
+    std::error_code ignored;
+    const bool severalFiles = inputs.size() > 1 || fs::is_directory(inputs.front(), ignored);
+    const bool intoDirectory = severalFiles || fs::is_directory(output, ignored) || output.back() == '/';
+    if (intoDirectory && fs::exists(output, ignored) && !fs::is_directory(output, ignored))
+        return invalid("the output '" + output + "' has to be a directory, and there is a file of that name");
+
+    std::vector<PlannedFile> plan;
+    for (const std::string& name : inputs) {
+        const fs::path input(name);
+        if (fs::is_directory(input, ignored))
+            planDirectory(input, output, plan);
+        else if (!fs::exists(input, ignored))
+            plan.push_back(failed(input, ErrorCode::NotFound, "no such file"));
+        else
+            plan.push_back({input, intoDirectory ? fs::path(output) / input.filename() : fs::path(output), std::nullopt});
+    }
+    if (auto distinct = checkCollisions(plan); !distinct)
+        return distinct.error();
+    return plan;
+}
+
+} // namespace lodsmith::cli

@@ -1,0 +1,39 @@
+# Bash completion for lodsmith.
+
+_lodsmith() {
+    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]}
+    local write="--output --force --mesh-version --endian --time-limit --help" options files="@(mesh)"
+    COMPREPLY=()
+
+    if ((COMP_CWORD == 1)); then
+        mapfile -t COMPREPLY < <(compgen -W "generate inspect measure import strip --help --version" -- "$word")
+        return
+    fi
+    case $before in
+    --strategy) options="distance pixelcount" ;;
+    --metric) options="quadric curvature" ;;
+    --mesh-version) options="1.0 1.4 1.41 1.8 1.10" ;;
+    --endian) options="native little big" ;;
+    --levels | --repeat | --jobs | -j | --time-limit | --samples | --*-weight) return ;;
+    esac
+    if [[ -z $options && $word == -* ]]; then
+        case ${COMP_WORDS[1]} in
+        generate)
+            options="$write --levels --strategy --metric --normal-weight --uv-weight --colour-weight --bone-weight"
+            options+=" --lock-borders --lock-seams --share-buffers --repeat --jobs --json"
+            ;;
+        inspect) options="--json --time-limit --help" ;;
+        measure) options="--against --samples --json --time-limit --help" ;;
+        import | strip) options=$write ;;
+        esac
+    fi
+    if [[ -n $options || $word == -* ]]; then
+        mapfile -t COMPREPLY < <(compgen -W "$options" -- "$word")
+        return
+    fi
+    [[ ${COMP_WORDS[1]} == import ]] && files="*"
+    compopt -o filenames 2>/dev/null
+    mapfile -t COMPREPLY < <(compgen -d -- "$word"; shopt -q extglob || shopt -s extglob; compgen -f -X "!*.$files" -- "$word")
+}
+
+complete -F _lodsmith lodsmith

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <lodsmith/core/Result.h>
+
+#include <OgreException.h>
+
+#include <new>
+
+namespace lodsmith {
+
+/// Runs `work` and turns what OGRE or the allocator throws into an error about the resource `name`. What `work` returns
+/// gets the name too where it has none.
+template <class Work>
+auto guarded(const Ogre::String& name, Work work) -> decltype(work())
+{
+    try {
+        auto result = work();
+        if (result)
+            return result;
+        Error error = result.error();
+        if (error.file.empty())
+            error.file = name;
+        return error;
+    } catch (const Ogre::Exception& exception) {
+        return Error{ErrorCode::Unsupported, "OGRE refused: " + exception.getDescription(), name};
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorCode::OutOfMemory, "out of memory", name};
+    }
+}
+
+} // namespace lodsmith

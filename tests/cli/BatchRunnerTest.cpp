@@ -1,0 +1,140 @@
+#include "BatchRunner.h"
+
+#include "TestDirectory.h"
+
+#include <gmock/gmock.h>
+
+#include <csignal>
+#include <fstream>
+
+#include <unistd.h>
+
+namespace lodsmith::cli {
+
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+BatchJob job(const std::string& file, ChildWork work)
+{
+    return {file, 0, {}, std::move(work)};
+}
+
+/// Outcomes as text, in the order in which they came.
+std::vector<std::string> run(const std::vector<BatchJob>& jobs, const BatchOptions& options = {})
+{
+    std::FILE* nowhere = std::fopen("/dev/null", "w");
+    ProgressBar progress(nowhere, jobs.size());
+    std::vector<std::string> outcomes;
+    BatchRunner(options, progress).run(jobs, [&](std::size_t number, const Result<Json>& outcome) {
+        EXPECT_EQ(number, outcomes.size());
+        outcomes.push_back(outcome ? outcome.value().dump() : describe(outcome.error()));
+    });
+    std::fclose(nowhere);
+    return outcomes;
+}
+
+Result<Json> sleepAndSay(unsigned milliseconds, const char* word)
+{
+    ::usleep(1000 * milliseconds);
+    return Json(word);
+}
+
+} // namespace
+
+TEST(BatchRunner, outcomesComeInTheOrderOfTheJobs)
+{
+    const std::vector<BatchJob> jobs{job("a", [](Progress&) { return sleepAndSay(300, "slow"); }),
+                                     job("b", [](Progress&) { return sleepAndSay(0, "fast"); }),
+                                     job("c", [](Progress&) { return sleepAndSay(100, "middling"); })};
+    for (const unsigned workers : {1u, 2u, 8u})
+        EXPECT_THAT(run(jobs, {workers, 60.0}), ElementsAre("\"slow\"", "\"fast\"", "\"middling\"")) << workers;
+}
+
+TEST(BatchRunner, aCrashIsAnErrorThatNamesFileAndSignalAndQuotesTheLastWords)
+{
+    const auto outcomes = run({job("bad.mesh",
+                                   [](Progress&) -> Result<Json> {
+                                       ::write(STDERR_FILENO, "Assertion `x' failed.\n", 22);
+                                       std::abort();
+                                   }),
+                               job("good.mesh", [](Progress&) { return sleepAndSay(0, "done"); })});
+    ASSERT_EQ(outcomes.size(), 2u);
+    EXPECT_THAT(outcomes[0], testing::AllOf(HasSubstr("bad.mesh: "), HasSubstr("signal 6"), HasSubstr("Assertion `x' failed.")));
+    EXPECT_EQ(outcomes[1], "\"done\"");
+}
+
+TEST(BatchRunner, aChildThatLeavesWithoutAWordIsAnError)
+{
+    EXPECT_THAT(run({job("x", [](Progress&) -> Result<Json> { ::_exit(0); })})[0], HasSubstr("no answer"));
+    EXPECT_THAT(run({job("x", [](Progress&) -> Result<Json> { ::_exit(3); })})[0], HasSubstr("status 3"));
+}
+
+TEST(BatchRunner, aHangEndsAtTheTimeLimit)
+{
+    const auto hang = [](Progress&) -> Result<Json> {
+        for (;;)
+            ::pause();
+    };
+    EXPECT_THAT(run({job("x", hang)}, {1, 0.3})[0], testing::AllOf(HasSubstr("x: "), HasSubstr("0.3 s")));
+}
+
+TEST(BatchRunner, memoryIsBounded)
+{
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "sanitizers need more address space than any limit allows";
+#else
+    const auto greedy = [](Progress&) -> Result<Json> {
+        std::vector<std::string> hoard;
+        for (;;)
+            hoard.emplace_back(std::size_t(1) << 30, 'x');
+    };
+    EXPECT_THAT(run({job("x", greedy)})[0], HasSubstr("memory"));
+#endif
+}
+
+TEST(BatchRunner, errorsArriveWhole)
+{
+    const auto outcomes = run({job("a.mesh", [](Progress&) -> Result<Json> {
+        return Error{ErrorCode::IndexOutOfRange, "too high", "b.mesh", -1, 3, 17};
+    })});
+    EXPECT_EQ(outcomes[0], "b.mesh: submesh 3, item 17: too high");
+}
+
+TEST(BatchRunner, exceptionsAreErrors)
+{
+    EXPECT_EQ(run({job("a.mesh", [](Progress&) -> Result<Json> { throw std::runtime_error("odd"); })})[0], "a.mesh: odd");
+}
+
+TEST(BatchRunner, longAnswersPassThroughThePipe)
+{
+    const std::string text(1 << 20, 'x');
+    EXPECT_EQ(run({job("a", [&](Progress&) -> Result<Json> { return Json(text); })})[0].size(), text.size() + 2);
+}
+
+TEST(BatchRunner, standardOutputOfAChildLeadsNowhere)
+{
+    testing::internal::CaptureStdout();
+    run({job("a", [](Progress&) -> Result<Json> {
+        ::write(STDOUT_FILENO, "noise", 5);
+        return Json();
+    })});
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+}
+
+TEST(BatchRunner, whatADeadChildLeftIsSwept)
+{
+    const test::TestDirectory directory;
+    BatchJob dying = job("a", [&](Progress&) -> Result<Json> {
+        directory.write(".lodsmith-" + std::to_string(::getpid()) + "-0.tmp", "half");
+        ::raise(SIGKILL);
+        return Json();
+    });
+    dying.outputDirectories = {directory.path()};
+    EXPECT_THAT(run({dying})[0], HasSubstr("signal 9"));
+    EXPECT_THAT(directory.files(), IsEmpty());
+}
+
+} // namespace lodsmith::cli

@@ -1,0 +1,128 @@
+#include "MeshFile.h"
+
+#include "MeshHeader.h"
+#include "OgreSession.h"
+#include "SampleFiles.h"
+
+#include <OgreSubMesh.h>
+
+#include <gmock/gmock.h>
+
+namespace fs = std::filesystem;
+
+namespace lodsmith::cli {
+
+namespace {
+
+using test::contentOf;
+using test::TestDirectory;
+using test::torusMesh;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+} // namespace
+
+TEST(MeshFile, versionAndByteOrderAreWhatWasAskedFor)
+{
+    const std::pair<const char*, const char*> versions[] = {
+        {"1.0", "1.30"}, {"1.4", "1.40"}, {"1.41", "1.41"}, {"1.8", "1.8"}, {"1.10", "1.100"}};
+    const TestDirectory directory;
+    const std::string path = directory.write("torus.mesh", torusMesh(8));
+    OgreSession session;
+    const Ogre::MeshPtr mesh = session.load(path).value();
+    for (const auto& [name, written] : versions)
+        for (const char* order : {"little", "big"}) {
+            const auto bytes = meshBytes(*mesh, {parseMeshVersion(name).value(), parseEndian(order).value()});
+            ASSERT_TRUE(bytes) << name;
+            const MeshHeader header = parseMeshHeader(bytes.value()).value();
+            EXPECT_EQ(header.version, written);
+            EXPECT_EQ(header.bigEndian, order == std::string("big"));
+            const Ogre::MeshPtr again = session.load(directory.write(std::string(name) + order, bytes.value())).value();
+            EXPECT_EQ(again->getSubMesh(0)->indexData->indexCount, 3 * test::torusTriangles(8));
+        }
+}
+
+TEST(MeshFile, wordsThatAreNoVersionsOrByteOrdersAreRefused)
+{
+    for (const char* word : {"", "1", "1.100", "2.0", "latest"})
+        EXPECT_FALSE(parseMeshVersion(word)) << word;
+    for (const char* word : {"", "Big", "middle"})
+        EXPECT_FALSE(parseEndian(word)) << word;
+}
+
+TEST(MeshFile, formatsWithoutLevelsRefuseMeshesThatHaveSome)
+{
+    const TestDirectory directory;
+    OgreSession session;
+    const Ogre::MeshPtr mesh = session.load(directory.write("torus.mesh", torusMesh(8))).value();
+    mesh->_setLodInfo(2);
+    EXPECT_EQ(meshBytes(*mesh, {Ogre::MESH_VERSION_1_4, Ogre::Serializer::ENDIAN_NATIVE}).error().code, ErrorCode::Unsupported);
+}
+
+TEST(MeshFile, vertexElementsThatOgreCannotTurnAreRefusedBeforeItDies)
+{
+    const TestDirectory directory;
+    OgreSession session;
+    const Ogre::MeshPtr mesh = session.load(directory.write("torus.mesh", torusMesh(8))).value();
+    auto& declaration = *mesh->getSubMesh(0)->vertexData->vertexDeclaration;
+    declaration.modifyElement(1, 0, 12, Ogre::VET_UBYTE4_NORM, Ogre::VES_DIFFUSE);
+    const auto bytes = meshBytes(*mesh, {Ogre::MESH_VERSION_1_10, Ogre::Serializer::ENDIAN_BIG});
+    ASSERT_FALSE(bytes);
+    EXPECT_THAT(bytes.error().message, HasSubstr("--endian native"));
+}
+
+TEST(MeshFile, materialNamesSurviveWithoutMaterialScripts)
+{
+    const TestDirectory directory;
+    OgreSession session;
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    const Ogre::MeshPtr mesh = session.load(directory.write("a.mesh", torusMesh(8))).value();
+    const Ogre::MeshPtr again = session.load(directory.write("b.mesh", meshBytes(*mesh, {}).value())).value();
+    EXPECT_EQ(again->getSubMesh(0)->getMaterialName(), "Stone");
+    EXPECT_EQ(testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(MeshFile, aSkeletonBesideTheMeshGoesAlong)
+{
+    const TestDirectory directory;
+    directory.write("sub/x.skeleton", "bones");
+    OgreSession session;
+    std::vector<std::string> notes;
+    const std::string path = directory.write("torus.mesh", torusMesh(8, "sub/x.skeleton"));
+    const auto companions = findSkeleton(*session.load(path).value(), path, notes);
+    ASSERT_EQ(companions.size(), 1u);
+    EXPECT_THAT(notes, IsEmpty());
+    ASSERT_TRUE(writeMeshFiles(directory / "out/torus.mesh", "mesh", companions, Existing::Keep));
+    EXPECT_EQ(contentOf(directory / "out/sub/x.skeleton"), "bones");
+    // The same content may come again, for another mesh; another content may not.
+    EXPECT_TRUE(writeMeshFiles(directory / "out/second.mesh", "mesh", companions, Existing::Keep));
+    directory.write("sub/x.skeleton", "other bones");
+    EXPECT_FALSE(writeMeshFiles(directory / "out/third.mesh", "mesh", companions, Existing::Keep));
+    EXPECT_FALSE(fs::exists(directory / "out/third.mesh"));
+}
+
+TEST(MeshFile, skeletonNamesThatLeadOutsideAreLeftAlone)
+{
+    const TestDirectory directory;
+    directory.write("outside.skeleton", "bones");
+    directory.write("in/script.sh", "no skeleton");
+    for (const std::string& name : {std::string("../outside.skeleton"), (directory / "outside.skeleton").string(),
+                                   std::string("a/../../outside.skeleton"), std::string("script.sh")}) {
+        OgreSession session;
+        std::vector<std::string> notes;
+        const std::string path = directory.write("in/torus.mesh", torusMesh(8, name));
+        EXPECT_THAT(findSkeleton(*session.load(path).value(), path, notes), IsEmpty()) << name;
+        EXPECT_THAT(notes, ElementsAre(HasSubstr(name)));
+    }
+}
+
+TEST(MeshFile, nothingAppearsWhenACompanionIsMissing)
+{
+    const TestDirectory directory;
+    EXPECT_FALSE(writeMeshFiles(directory / "out/x.mesh", "mesh", {{directory / "nothing", "nothing"}}, Existing::Keep));
+    EXPECT_THAT(directory.files(), IsEmpty());
+}
+
+} // namespace lodsmith::cli

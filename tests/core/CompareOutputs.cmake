@@ -1,0 +1,10 @@
+# Runs FIRST and SECOND and fails unless both succeed and print the same.
+foreach(program FIRST SECOND)
+    execute_process(COMMAND ${${program}} OUTPUT_VARIABLE ${program}_OUTPUT RESULT_VARIABLE result)
+    if(NOT result EQUAL 0)
+        message(FATAL_ERROR "${${program}} failed: ${result}")
+    endif()
+endforeach()
+if(NOT FIRST_OUTPUT STREQUAL SECOND_OUTPUT)
+    message(FATAL_ERROR "${FIRST}\n${FIRST_OUTPUT}\n${SECOND}\n${SECOND_OUTPUT}")
+endif()
