@@ -10,8 +10,6 @@ namespace lodsmith {
 
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::infinity();
-
 /// The point of the segment from a to b nearest to the origin.
 Vec3 nearestToOrigin(const Vec3& a, const Vec3& b)
 {
@@ -23,134 +21,182 @@ Vec3 nearestToOrigin(const Vec3& a, const Vec3& b)
 
 } // namespace
 
-double PatchDeviation::bound(const OneRing& ring, const CollapseMesh& mesh, std::uint32_t neighbour)
+void PatchDeviation::evaluate(const OneRing& ring, const CollapseMesh& mesh, std::uint32_t neighbour)
 {
-    const double edgeLength = length(ring.edge[neighbour]);
-    const float* n = mesh.faces[ring.faces[0].face].normal;
+    mRing = &ring;
+    mMesh = &mesh;
+    double before = 0.0;
+    for (std::uint32_t i = 0; i < ring.faceCount; ++i) {
+        mBefore[i] = mesh.faces[ring.faces[i].face].deviation;
+        before = std::max(before, mBefore[i]);
+    }
+    const double simple = before + length(ring.edge[neighbour]);
+    std::fill(mAfter, mAfter + ring.faceCount, simple);
+    if (!evaluateFans(neighbour))
+        std::fill(mAfter, mAfter + ring.faceCount, simple);
+    mLargest = 0.0;
+    for (std::uint32_t i = 0; i < ring.faceCount; ++i)
+        if (!ring.contains(ring.faces[i], neighbour)) {
+            mAfter[i] = std::min(mAfter[i], simple);
+            mLargest = std::max(mLargest, mAfter[i]);
+        }
+    if (ring.facesOn[neighbour] == ring.faceCount)
+        mLargest = simple;
+}
+
+/// False when the faces around the vertex are neither one fan nor the two faces of a wall.
+bool PatchDeviation::evaluateFans(std::uint32_t neighbour)
+{
+    const float* n = mMesh->faces[mRing->faces[0].face].normal;
     const Vec3 side{n[0], n[1], n[2]};
     Fan fan;
     std::uint32_t taken = 0;
-    if (collectFan(ring, mesh, side, 0.0, fan, taken) && taken == ring.faceCount)
-        return std::min(edgeLength, fanBound(ring, fan, neighbour));
-    // Not one fan: perhaps the two faces of a wall.
-    double largest = 0.0;
-    taken = 0;
-    for (const double sign : {1.0, -1.0}) {
-        if (!collectFan(ring, mesh, side, sign, fan, taken))
-            return edgeLength;
-        if (fan.count != 0)
-            largest = std::max(largest, fanBound(ring, fan, neighbour));
-    }
-    return std::min(edgeLength, largest);
+    if (collectFan(side, 0.0, fan, taken) && taken == mRing->faceCount)
+        return startAt(fan, neighbour) && evaluateFan(fan);
+    for (const double sign : {1.0, -1.0})
+        if (!collectFan(side, sign, fan, taken) || (fan.count != 0 && !(startAt(fan, neighbour) && evaluateFan(fan))))
+            return false;
+    return true;
 }
 
 /// Chains the faces on one side of a plane through the vertex (sign 0: all faces). False when they are no single fan.
-bool PatchDeviation::collectFan(const OneRing& ring, const CollapseMesh& mesh, const Vec3& side, double sign, Fan& fan, std::uint32_t& taken) const
+bool PatchDeviation::collectFan(const Vec3& side, double sign, Fan& fan, std::uint32_t& taken) const
 {
-    std::int16_t next[OneRing::kMaxNeighbours];
+    constexpr std::int16_t none = -1;
+    std::int16_t faceFrom[OneRing::kMaxNeighbours]; // the face that has the neighbour as its second corner
     bool hasBefore[OneRing::kMaxNeighbours];
-    std::fill(next, next + ring.neighbourCount, std::int16_t{-1});
-    std::fill(hasBefore, hasBefore + ring.neighbourCount, false);
-    fan.normal = {};
-    fan.count = 0;
-    fan.closed = false;
-    std::uint32_t faces = 0;
-    int start = -1;
-    for (std::uint32_t i = 0; i < ring.faceCount; ++i) {
-        const CollapseMesh::Face& face = mesh.faces[ring.faces[i].face];
-        const Vec3 normal{face.normal[0], face.normal[1], face.normal[2]};
-        if (sign != 0.0 && (dot(normal, side) >= 0.0) != (sign > 0.0))
+    std::fill(faceFrom, faceFrom + mRing->neighbourCount, none);
+    std::fill(hasBefore, hasBefore + mRing->neighbourCount, false);
+    std::uint32_t faces = 0, start = 0;
+    for (std::uint32_t i = 0; i < mRing->faceCount; ++i) {
+        const OneRing::RingFace& face = mRing->faces[i];
+        const float* n = mMesh->faces[face.face].normal;
+        if (sign != 0.0 && (dot({n[0], n[1], n[2]}, side) >= 0.0) != (sign > 0.0))
             continue;
-        if (next[ring.faces[i].second] >= 0 || hasBefore[ring.faces[i].third])
+        if (faceFrom[face.second] != none || hasBefore[face.third])
             return false;
-        next[ring.faces[i].second] = static_cast<std::int16_t>(ring.faces[i].third);
-        hasBefore[ring.faces[i].third] = true;
-        fan.normal += normal * face.area;
-        start = ring.faces[i].second;
+        faceFrom[face.second] = static_cast<std::int16_t>(i);
+        hasBefore[face.third] = true;
+        start = face.second;
         ++faces;
     }
+    fan.count = 0;
+    fan.closed = false;
     if (faces == 0)
         return true;
-    for (std::uint32_t i = 0; i < ring.neighbourCount; ++i)
-        if (next[i] >= 0 && !hasBefore[i])
-            start = static_cast<int>(i);
+    for (std::uint32_t i = 0; i < mRing->neighbourCount; ++i)
+        if (faceFrom[i] != none && !hasBefore[i])
+            start = i;
     fan.closed = hasBefore[start];
-    for (int at = start; at >= 0 && fan.count <= faces; at = next[at]) {
-        if (fan.count != 0 && at == start)
+    std::uint32_t at = start;
+    do {
+        fan.spokes[fan.count] = at;
+        if (faceFrom[at] == none) {
+            ++fan.count;
             break;
-        fan.spokes[fan.count++] = static_cast<std::uint32_t>(at);
-    }
+        }
+        fan.faces[fan.count++] = static_cast<std::uint32_t>(faceFrom[at]);
+        at = mRing->faces[faceFrom[at]].third;
+    } while (at != start && fan.count <= faces);
     taken += faces;
     return fan.count == faces + (fan.closed ? 0 : 1);
 }
 
-double PatchDeviation::fanBound(const OneRing& ring, Fan& fan, std::uint32_t neighbour)
+/// Turns the fan so that the destination is its first spoke. False when it is none, or lies inside an open fan.
+bool PatchDeviation::startAt(Fan& fan, std::uint32_t neighbour) const
 {
-    std::uint32_t* end = fan.spokes + fan.count;
-    std::uint32_t* destination = std::find(fan.spokes, end, neighbour);
-    if (destination == end)
-        return kUnknown;
-    if (!fan.closed) {
-        if (destination == end - 1)
-            std::reverse(fan.spokes, end);
-        else if (destination != fan.spokes)
-            return kUnknown;
-        return cutBound(ring, fan.spokes, fan.count, false, fan.count - 1);
+    const std::uint32_t* end = fan.spokes + fan.count;
+    const auto at = std::find(fan.spokes, fan.spokes + fan.count, neighbour) - fan.spokes;
+    if (fan.spokes + at == end)
+        return false;
+    if (fan.closed) {
+        std::rotate(fan.spokes, fan.spokes + at, fan.spokes + fan.count);
+        std::rotate(fan.faces, fan.faces + at, fan.faces + fan.count);
+        return true;
     }
-    std::rotate(fan.spokes, destination, end);
-    if (const double whole = closedBound(ring, fan); whole != kUnknown)
-        return whole;
+    if (fan.spokes + at == end - 1) {
+        std::reverse(fan.spokes, fan.spokes + fan.count);
+        std::reverse(fan.faces, fan.faces + fan.count - 1);
+        return true;
+    }
+    return at == 0;
+}
+
+bool PatchDeviation::evaluateFan(const Fan& fan)
+{
+    if (!fan.closed)
+        return evaluateCut(fan, fan.count - 1);
+    return evaluateClosed(fan) || evaluateCut(fan, nearestCut(fan));
+}
+
+bool PatchDeviation::evaluateClosed(const Fan& fan)
+{
+    if (!project(fan, {}) || !compareAtCentre(fan))
+        return false;
+    compareAtCrossings(fan);
+    settle(fan, 0.0);
+    return true;
+}
+
+/// The spoke whose connection with the destination passes nearest to the vertex.
+std::uint32_t PatchDeviation::nearestCut(const Fan& fan) const
+{
     std::uint32_t cut = 1;
-    double nearest = kUnknown;
+    double nearest = std::numeric_limits<double>::infinity();
     for (std::uint32_t i = 1; i < fan.count; ++i) {
-        const double distance = length(nearestToOrigin(ring.edge[neighbour], ring.edge[fan.spokes[i]]));
+        const double distance = lengthSquared(nearestToOrigin(mRing->edge[fan.spokes[0]], mRing->edge[fan.spokes[i]]));
         if (distance < nearest) {
             nearest = distance;
             cut = i;
         }
     }
-    return cutBound(ring, fan.spokes, fan.count, true, cut);
+    return cut;
 }
 
-double PatchDeviation::closedBound(const OneRing& ring, const Fan& fan)
+/// Moves the vertex onto the segment from the destination to spoke `cut`, and compares the half (or, of a closed fan, both
+/// halves) that now has this segment as its straight side.
+bool PatchDeviation::evaluateCut(const Fan& fan, std::uint32_t cut)
 {
-    if (!project(ring, fan.spokes, fan.count, {}, fan.normal, true))
-        return kUnknown;
-    return std::max(differenceAtCentre(fan.count), largestDifference(fan.count, true));
-}
-
-/// Moves the vertex onto the segment from spokes[0] to spokes[cut], and compares the half (or, when closed, both halves)
-/// of the fan that now has this segment as its straight side.
-double PatchDeviation::cutBound(const OneRing& ring, const std::uint32_t* spokes, std::uint32_t count, bool closed, std::uint32_t cut)
-{
-    const Vec3 centre = nearestToOrigin(ring.edge[spokes[0]], ring.edge[spokes[cut]]);
-    double largest = 0.0;
-    std::uint32_t half[OneRing::kMaxNeighbours];
-    for (int side = 0; side < (closed ? 2 : 1); ++side) {
-        std::uint32_t size = 0;
-        if (side == 0) {
-            size = cut + 1;
-            std::copy(spokes, spokes + size, half);
+    const Vec3 centre = nearestToOrigin(mRing->edge[fan.spokes[0]], mRing->edge[fan.spokes[cut]]);
+    const double shift = length(centre);
+    Fan half;
+    for (const bool second : {false, true}) {
+        if (second && !fan.closed)
+            break;
+        half.count = 0;
+        if (!second) {
+            std::copy(fan.faces, fan.faces + cut, half.faces);
+            std::copy(fan.spokes, fan.spokes + cut + 1, half.spokes);
+            half.count = cut + 1;
         } else {
-            half[size++] = spokes[0];
-            for (std::uint32_t i = count - 1; i >= cut; --i)
-                half[size++] = spokes[i];
+            half.spokes[half.count++] = fan.spokes[0];
+            for (std::uint32_t i = fan.count - 1; i >= cut; --i) {
+                half.faces[half.count - 1] = fan.faces[i];
+                half.spokes[half.count++] = fan.spokes[i];
+            }
         }
-        Vec3 normal;
-        for (std::uint32_t i = 0; i + 1 < size; ++i)
-            normal += cross(ring.edge[half[i]] - centre, ring.edge[half[i + 1]] - centre);
-        if (size < 3)
-            continue;
-        if (!project(ring, half, size, centre, normal, false))
-            return kUnknown;
-        largest = std::max(largest, largestDifference(size, false));
+        if (half.count < 3)
+            continue; // nothing but a face that goes
+        if (!project(half, centre))
+            return false;
+        // The vertex lies on the last new face's side, so that all old faces touch that one there.
+        for (std::uint32_t i = 0; i + 1 < half.count; ++i)
+            cover(half.count - 2, 0.0, mOld[i]);
+        compareAtCrossings(half);
+        settle(half, shift);
     }
-    return length(centre) + largest;
+    return true;
 }
 
-/// Lays the fan into the plane across `normal`. False unless both the old and the new faces lie there without a fold.
-bool PatchDeviation::project(const OneRing& ring, const std::uint32_t* spokes, std::uint32_t count, const Vec3& centre, const Vec3& normal, bool closed)
+/// Lays the fan into the plane across its normal. False unless both the old and the new faces lie there without a fold.
+bool PatchDeviation::project(const Fan& fan, const Vec3& centre)
 {
+    const std::uint32_t count = fan.count, faces = fan.closed ? count : count - 1;
+    Vec3 normal;
+    for (std::uint32_t i = 0; i < faces; ++i) {
+        const std::uint32_t j = i + 1 == count ? 0 : i + 1;
+        normal += cross(mRing->edge[fan.spokes[i]] - centre, mRing->edge[fan.spokes[j]] - centre);
+    }
     const double size = length(normal);
     if (!(size > 0.0))
         return false;
@@ -160,18 +206,19 @@ bool PatchDeviation::project(const OneRing& ring, const std::uint32_t* spokes, s
     const Vec3 u = across * (1.0 / length(across));
     const Vec3 v = cross(n, u);
     for (std::uint32_t i = 0; i < count; ++i) {
-        const Vec3 r = ring.edge[spokes[i]] - centre;
+        const Vec3 r = mRing->edge[fan.spokes[i]] - centre;
         mU[i] = dot(r, u);
         mV[i] = dot(r, v);
         mZ[i] = dot(r, n);
     }
-    const auto turn = [this](std::uint32_t a, std::uint32_t b) { return mU[a] * mV[b] - mU[b] * mV[a]; };
     int rounds = 0;
-    for (std::uint32_t i = 0; i + (closed ? 0 : 1) < count; ++i) {
+    for (std::uint32_t i = 0; i < faces; ++i) {
         const std::uint32_t j = i + 1 == count ? 0 : i + 1;
-        if (turn(i, j) < 0.0)
+        if (mU[i] * mV[j] - mU[j] * mV[i] < 0.0)
             return false;
         rounds += mV[i] < 0.0 && mV[j] >= 0.0;
+        mOld[i] = mBefore[fan.faces[i]];
+        mCovered[i] = mDifference[i] = 0.0;
     }
     for (std::uint32_t j = 1; j + 1 < count; ++j)
         if ((mU[j] - mU[0]) * (mV[j + 1] - mV[0]) - (mU[j + 1] - mU[0]) * (mV[j] - mV[0]) < 0.0)
@@ -179,27 +226,35 @@ bool PatchDeviation::project(const OneRing& ring, const std::uint32_t* spokes, s
     return rounds <= 1;
 }
 
-/// Height of the new faces over the vertex, which is the origin.
-double PatchDeviation::differenceAtCentre(std::uint32_t count) const
+void PatchDeviation::cover(std::uint32_t newFace, double difference, double before)
 {
-    for (std::uint32_t j = 1; j + 1 < count; ++j) {
+    mCovered[newFace] = std::max(mCovered[newFace], before);
+    mDifference[newFace] = std::max(mDifference[newFace], difference);
+}
+
+/// Height of the new faces over the vertex, which is the origin; all old faces meet there.
+bool PatchDeviation::compareAtCentre(const Fan& fan)
+{
+    for (std::uint32_t j = 1; j + 1 < fan.count; ++j) {
         const double w0 = mU[j] * mV[j + 1] - mU[j + 1] * mV[j];
         const double w1 = mU[j + 1] * mV[0] - mU[0] * mV[j + 1];
         const double w2 = mU[0] * mV[j] - mU[j] * mV[0];
         const double sum = w0 + w1 + w2;
-        if (w0 >= 0.0 && w1 >= 0.0 && w2 >= 0.0 && sum > 0.0)
-            return std::abs(w0 * mZ[0] + w1 * mZ[j] + w2 * mZ[j + 1]) / sum;
+        if (w0 >= 0.0 && w1 >= 0.0 && w2 >= 0.0 && sum > 0.0) {
+            const double height = std::abs(w0 * mZ[0] + w1 * mZ[j] + w2 * mZ[j + 1]) / sum;
+            cover(j, height, *std::max_element(mOld, mOld + fan.count));
+            return true;
+        }
     }
-    return kUnknown;
+    return false;
 }
 
-/// Largest difference in height where an old spoke (from the origin) crosses a new one (from spoke 0's end).
-double PatchDeviation::largestDifference(std::uint32_t count, bool closed) const
+/// Difference in height where an old spoke (from the origin) crosses a new one (from spoke 0's end): there two old faces and
+/// two new ones meet.
+void PatchDeviation::compareAtCrossings(const Fan& fan)
 {
-    double largest = 0.0;
-    const std::uint32_t lastNew = count - 2;
-    const std::uint32_t lastOld = closed ? count - 1 : count - 2;
-    for (std::uint32_t j = 2; j <= lastNew && count >= 4; ++j) {
+    const std::uint32_t lastOld = fan.closed ? fan.count - 1 : fan.count - 2;
+    for (std::uint32_t j = 2; j + 1 < fan.count; ++j) {
         const double du = mU[j] - mU[0], dv = mV[j] - mV[0];
         const double reach = mU[0] * dv - du * mV[0];
         for (std::uint32_t i = 1; i <= lastOld; ++i) {
@@ -208,11 +263,25 @@ double PatchDeviation::largestDifference(std::uint32_t count, bool closed) const
                 continue;
             const double s = reach / across;
             const double t = (mU[0] * mV[i] - mU[i] * mV[0]) / across;
-            if (s >= 0.0 && s <= 1.0 && t >= 0.0 && t <= 1.0)
-                largest = std::max(largest, std::abs(s * mZ[i] - (mZ[0] + t * (mZ[j] - mZ[0]))));
+            if (!(s >= 0.0 && s <= 1.0 && t >= 0.0 && t <= 1.0))
+                continue;
+            const double difference = std::abs(s * mZ[i] - (mZ[0] + t * (mZ[j] - mZ[0])));
+            const double before = std::max(mOld[i - 1], mOld[i]);
+            cover(j - 1, difference, before);
+            cover(j, difference, before);
         }
     }
-    return largest;
+}
+
+/// Every new face also covers some of the old one on the same edge of the fan's outline; the first and the last, of the
+/// faces that go, too.
+void PatchDeviation::settle(const Fan& fan, double shift)
+{
+    cover(1, 0.0, mOld[0]);
+    if (fan.closed)
+        cover(fan.count - 2, 0.0, mOld[fan.count - 1]);
+    for (std::uint32_t j = 1; j + 1 < fan.count; ++j)
+        mAfter[fan.faces[j]] = std::max(mCovered[j], mOld[j]) + mDifference[j] + shift;
 }
 
 } // namespace lodsmith

@@ -4,34 +4,52 @@
 
 namespace lodsmith {
 
-/// A bound on how far one collapse moves the surface, two-sided, scaled units.
+/// Bounds on how far the faces that one collapse makes are from the original surface, two-sided, scaled units.
 ///
 /// The faces around the vertex and those that replace them are laid over each other in a plane and compared where their
-/// edges cross: between crossings both are linear (Cohen, Manocha and Olano 1997, successive mappings). A border is
-/// first drawn straight, and a fold that has no such plane is cut in two along the edge that the collapse creates. Where
-/// nothing of this fits, the length of the collapsed edge is a bound.
+/// edges cross: between crossings both are linear (Cohen, Manocha and Olano 1997, successive mappings). What a new face
+/// is off by is added to the bounds of those old ones that it covers. A border is first drawn straight, and a fold that
+/// has no such plane is cut in two along an edge that the collapse creates. Where nothing of this fits, the length of the
+/// collapsed edge is a bound.
 class PatchDeviation {
 public:
-    double bound(const OneRing& ring, const CollapseMesh& mesh, std::uint32_t neighbour);
+    void evaluate(const OneRing& ring, const CollapseMesh& mesh, std::uint32_t neighbour);
+
+    /// Bound of the ring's i-th face after the collapse; meaningless for one that goes.
+    double of(std::uint32_t i) const { return mAfter[i]; }
+    double largest() const { return mLargest; }
 
 private:
-    /// Part of the ring in winding order: spokes from first to last.
+    /// Part of the ring in winding order: face i lies between spokes i and i + 1. Spoke 0 is the destination.
     struct Fan {
         std::uint32_t spokes[OneRing::kMaxNeighbours]; ///< neighbour numbers
-        Vec3 normal;                                  ///< area-weighted sum of the faces' normals
-        std::uint32_t count = 0;
+        std::uint32_t faces[OneRing::kMaxFaces];       ///< ring faces
+        std::uint32_t count = 0;                       ///< spokes
         bool closed = false;
     };
 
-    bool collectFan(const OneRing& ring, const CollapseMesh& mesh, const Vec3& side, double sign, Fan& fan, std::uint32_t& taken) const;
-    double fanBound(const OneRing& ring, Fan& fan, std::uint32_t neighbour);
-    double closedBound(const OneRing& ring, const Fan& fan);
-    double cutBound(const OneRing& ring, const std::uint32_t* spokes, std::uint32_t count, bool closed, std::uint32_t cut);
-    bool project(const OneRing& ring, const std::uint32_t* spokes, std::uint32_t count, const Vec3& centre, const Vec3& normal, bool closed);
-    double largestDifference(std::uint32_t count, bool closed) const;
-    double differenceAtCentre(std::uint32_t count) const;
+    bool evaluateFans(std::uint32_t neighbour);
+    bool collectFan(const Vec3& side, double sign, Fan& fan, std::uint32_t& taken) const;
+    bool startAt(Fan& fan, std::uint32_t neighbour) const;
+    bool evaluateFan(const Fan& fan);
+    bool evaluateClosed(const Fan& fan);
+    bool evaluateCut(const Fan& fan, std::uint32_t cut);
+    std::uint32_t nearestCut(const Fan& fan) const;
+    bool project(const Fan& fan, const Vec3& centre);
+    bool compareAtCentre(const Fan& fan);
+    void compareAtCrossings(const Fan& fan);
+    void settle(const Fan& fan, double shift);
+    void cover(std::uint32_t newFace, double difference, double before);
 
+    const OneRing* mRing = nullptr;
+    const CollapseMesh* mMesh = nullptr;
+    double mBefore[OneRing::kMaxFaces]; ///< bound of each ring face before
+    double mAfter[OneRing::kMaxFaces];
+    double mLargest = 0.0;
     double mU[OneRing::kMaxNeighbours], mV[OneRing::kMaxNeighbours], mZ[OneRing::kMaxNeighbours]; ///< spokes' ends in the plane, and above it
+    double mOld[OneRing::kMaxFaces];        ///< of the fan's faces: bound before
+    double mCovered[OneRing::kMaxFaces];    ///< ... largest bound of what it covers afterwards
+    double mDifference[OneRing::kMaxFaces]; ///< ... largest difference to that
 };
 
 } // namespace lodsmith

@@ -151,12 +151,9 @@ bool Simplifier::allowed(const CollapseLimits& limits, const Candidate& candidat
 
 bool Simplifier::withinLimits(const CollapseLimits& limits, const Candidate& candidate)
 {
-    double before = 0.0;
-    for (std::uint32_t i = 0; i < mRing.faceCount; ++i)
-        before = std::max<double>(before, mMesh.faces[mRing.faces[i].face].deviation);
-    mPatchBound = before + mPatchDeviation.bound(mRing, mMesh, static_cast<std::uint32_t>(candidate.neighbour));
+    mPatchDeviation.evaluate(mRing, mMesh, static_cast<std::uint32_t>(candidate.neighbour));
     mLength = mCost->lengthOf(candidate.cost, mMesh, mRing);
-    const bool within = mPatchBound <= limits.deviation && mLength <= limits.length;
+    const bool within = mPatchDeviation.largest() <= limits.deviation && mLength <= limits.length;
     mHeldByLimit |= !within;
     return within;
 }
@@ -169,7 +166,7 @@ void Simplifier::collapse(const Candidate& candidate)
     moveFaces(neighbour);
     mOnBorder[destination] |= mOnBorder[mRing.vertex];
     touchRing();
-    mLargestDeviation = std::max(mLargestDeviation, mPatchBound);
+    mLargestDeviation = std::max(mLargestDeviation, mPatchDeviation.largest());
     mLargestLength = std::max(mLargestLength, mLength);
     ++mCollapsedSince;
 }
@@ -186,7 +183,7 @@ void Simplifier::moveFaces(std::uint32_t neighbour)
         }
         CollapseMesh::Face& face = mMesh.faces[ringFace.face];
         face.wedge[ringFace.corner] = mWedges(ringFace.wedge[0]);
-        face.deviation = static_cast<float>(mPatchBound);
+        face.deviation = static_cast<float>(mPatchDeviation.of(i));
         mMesh.updatePlane(face);
         moved[count++] = ringFace.face;
     }

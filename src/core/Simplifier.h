@@ -95,7 +95,6 @@ private:
     std::vector<std::uint32_t> mTarget; ///< destination of each vertex's cheapest collapse, as last evaluated
     std::vector<std::uint32_t> mStalled;
     float mFrontCost = 0.0f;       ///< of the entry looked at last
-    double mPatchBound = 0.0;      ///< deviation of the faces the candidate would make
     double mLength = 0.0;          ///< the candidate's cost as a length
     double mLargestDeviation = 0.0;
     double mLargestLength = 0.0;
