@@ -97,12 +97,13 @@ Result<std::vector<PlannedFile>> planOutputs(const std::vector<std::string>& inp
     std::error_code ignored;
     const bool severalFiles = inputs.size() > 1 || fs::is_directory(inputs.front(), ignored);
     const bool intoDirectory = severalFiles || fs::is_directory(output, ignored) || output.back() == '/';
-    if (intoDirectory && fs::exists(output, ignored) && !fs::is_directory(output, ignored))
+    // A file is not found under its name with a slash behind it.
+    const fs::path name = output.back() == '/' ? fs::path(output).parent_path() : fs::path(output);
+    if (intoDirectory && fs::exists(name, ignored) && !fs::is_directory(name, ignored))
         return invalid("the output '" + output + "' has to be a directory, and there is a file of that name");
 
     std::vector<PlannedFile> plan;
-    for (const std::string& name : inputs) {
-        const fs::path input(name);
+    for (const fs::path input : inputs) {
         if (fs::is_directory(input, ignored))
             planDirectory(input, output, plan);
         else if (!fs::exists(input, ignored))

@@ -29,8 +29,8 @@ bool hasFace(const OneRing& ring, std::uint32_t a, std::uint32_t b)
 
 bool CollapseCheck::allows(const OneRing& ring, std::uint32_t neighbour) const
 {
-    const std::uint32_t destination = ring.neighbour[neighbour];
-    const std::uint32_t onEdge = ring.facesOn[neighbour];
+    const std::uint32_t destination = ring.neighbours[neighbour].vertex;
+    const std::uint32_t onEdge = ring.neighbours[neighbour].faces;
     if (onEdge == ring.faceCount && onEdge == mMesh.vertices[destination].liveFaces)
         return false; // nothing would be left of this piece
     if (mOnBorder[ring.vertex] && onEdge != 1)
@@ -43,13 +43,13 @@ bool CollapseCheck::allows(const OneRing& ring, std::uint32_t neighbour) const
 
 bool CollapseCheck::turnsFaceOver(const OneRing& ring, std::uint32_t neighbour) const
 {
-    const Vec3& e = ring.edge[neighbour];
+    const Vec3& e = ring.neighbours[neighbour].edge;
     for (std::uint32_t i = 0; i < ring.faceCount; ++i) {
         const OneRing::RingFace& ringFace = ring.faces[i];
         if (ring.contains(ringFace, neighbour))
             continue;
         const CollapseMesh::Face& face = mMesh.faces[ringFace.face];
-        const Vec3 after = cross(ring.edge[ringFace.second] - e, ring.edge[ringFace.third] - e);
+        const Vec3 after = cross(ring.neighbours[ringFace.second].edge - e, ring.neighbours[ringFace.third].edge - e);
         const double along = face.normal[0] * after.x + face.normal[1] * after.y + face.normal[2] * after.z;
         const bool hadNoArea = !(face.area > 0.0f);
         if (!hadNoArea && !(along > 0.0 && along * along > kLeastCosine * kLeastCosine * lengthSquared(after)))
@@ -62,7 +62,7 @@ bool CollapseCheck::turnsFaceOver(const OneRing& ring, std::uint32_t neighbour) 
 /// may have two corners that a face of the vertex has as well.
 bool CollapseCheck::keepsLink(const OneRing& ring, std::uint32_t neighbour) const
 {
-    const std::uint32_t destination = ring.neighbour[neighbour];
+    const std::uint32_t destination = ring.neighbours[neighbour].vertex;
     bool fits[OneRing::kMaxNeighbours + 1]; // may be shared; the last is every vertex that is no neighbour
     std::fill(fits, fits + ring.neighbourCount, false);
     fits[neighbour] = fits[ring.neighbourCount] = true;
@@ -85,18 +85,19 @@ bool CollapseCheck::keepsLink(const OneRing& ring, std::uint32_t neighbour) cons
         if (!sound || (found == 2 && hasFace(ring, common[0], common[1])))
             return false;
     }
-    const bool simple = std::all_of(ring.facesOn, ring.facesOn + ring.neighbourCount, [](std::uint16_t faces) { return faces == 2; });
+    const bool simple = std::all_of(ring.neighbours, ring.neighbours + ring.neighbourCount,
+                                    [](const OneRing::Neighbour& other) { return other.faces == 2; });
     return simple || keepsEdgesManifold(ring, neighbour);
 }
 
 /// The same asked of the vertex's own neighbours, whose faces are fewer.
 bool CollapseCheck::keepsLinkAtHub(const OneRing& ring, std::uint32_t neighbour) const
 {
-    const std::uint32_t destination = ring.neighbour[neighbour];
+    const std::uint32_t destination = ring.neighbours[neighbour].vertex;
     for (std::uint32_t i = 0; i < ring.neighbourCount; ++i) {
         if (i == neighbour)
             continue;
-        const std::uint32_t other = ring.neighbour[i];
+        const std::uint32_t other = ring.neighbours[i].vertex;
         if (mMesh.vertices[other].liveFaces > OneRing::kMaxFaces)
             return false;
         const bool apex = isApex(ring, neighbour, i);
@@ -123,14 +124,14 @@ bool CollapseCheck::keepsLinkAtHub(const OneRing& ring, std::uint32_t neighbour)
 /// end up with more than two faces only if one of the two had as many.
 bool CollapseCheck::keepsEdgesManifold(const OneRing& ring, std::uint32_t neighbour) const
 {
-    const std::uint32_t destination = ring.neighbour[neighbour];
+    const std::uint32_t destination = ring.neighbours[neighbour].vertex;
     for (std::uint32_t i = 0; i < ring.neighbourCount; ++i) {
         if (i == neighbour || !isApex(ring, neighbour, i))
             continue;
         std::uint32_t between = 0; // faces on the edge with this apex
         for (std::uint32_t k = 0; k < ring.faceCount; ++k)
             between += ring.contains(ring.faces[k], neighbour) && ring.contains(ring.faces[k], i);
-        const std::uint32_t apex = ring.neighbour[i];
+        const std::uint32_t apex = ring.neighbours[i].vertex;
         if (mMesh.vertices[apex].liveFaces > OneRing::kMaxFaces)
             return false;
         mMesh.compactFaceList(apex);
@@ -141,8 +142,8 @@ bool CollapseCheck::keepsEdgesManifold(const OneRing& ring, std::uint32_t neighb
             for (std::uint32_t wedge : face.wedge)
                 there += mMesh.vertexOf(wedge) == destination;
         }
-        const std::uint32_t after = ring.facesOn[i] + there - 2 * between;
-        if (after == 0 || after > std::max({2u, std::uint32_t{ring.facesOn[i]}, there}))
+        const std::uint32_t after = ring.neighbours[i].faces + there - 2 * between;
+        if (after == 0 || after > std::max({2u, std::uint32_t{ring.neighbours[i].faces}, there}))
             return false;
     }
     return true;

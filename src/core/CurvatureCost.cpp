@@ -24,7 +24,7 @@ void CurvatureCost::begin(const CollapseMesh& mesh, const OneRing& ring)
     mIsBorder = ring.isBorder();
     const double factor = mesh.importance.empty() ? 1.0 : 1.0 / (1.0 - mesh.importance[ring.vertex]);
     for (std::uint32_t i = 0; i < ring.neighbourCount; ++i)
-        mCosts[i] = mWedges.build(mesh, ring, i) ? (bend(i) + seamPenalty(i)) * length(ring.edge[i]) * factor : kImpossible;
+        mCosts[i] = mWedges.build(mesh, ring, i) ? (bend(i) + seamPenalty(i)) * length(ring.neighbours[i].edge) * factor : kImpossible;
 }
 
 Candidate CurvatureCost::cheapest()
@@ -40,14 +40,14 @@ double CurvatureCost::bend(std::uint32_t neighbour) const
 
 double CurvatureCost::borderBend(std::uint32_t neighbour) const
 {
-    if (mRing->facesOn[neighbour] != 1)
+    if (mRing->neighbours[neighbour].faces != 1)
         return kOffBorder;
     double most = kLeastBend;
-    const Vec3& along = mRing->edge[neighbour];
+    const Vec3& along = mRing->neighbours[neighbour].edge;
     for (std::uint32_t i = 0; i < mRing->neighbourCount; ++i) {
-        if (i == neighbour || mRing->facesOn[i] != 1)
+        if (i == neighbour || mRing->neighbours[i].faces != 1)
             continue;
-        const double cosine = dot(along, mRing->edge[i]) / (length(along) * length(mRing->edge[i]));
+        const double cosine = dot(along, mRing->neighbours[i].edge) / (length(along) * length(mRing->neighbours[i].edge));
         most = std::max(most, 0.5 * (cosine + 1.002));
     }
     return most;
@@ -72,7 +72,7 @@ double CurvatureCost::seamPenalty(std::uint32_t neighbour) const
 {
     if (!mRing->isSeam)
         return 0.0;
-    const bool toSeam = mMesh->vertices[mRing->neighbour[neighbour]].hasSeam;
+    const bool toSeam = mMesh->vertices[mRing->neighbours[neighbour].vertex].hasSeam;
     return toSeam ? 0.5 * mMesh->summary.radius : mMesh->summary.radius;
 }
 

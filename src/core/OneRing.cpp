@@ -26,7 +26,7 @@ bool OneRing::build(CollapseMesh& mesh, std::uint32_t v)
         faces[i].third = noteAgain(mesh, third[i], i);
     isPlain = !seamNear;
     for (std::uint32_t i = 0; i < neighbourCount; ++i)
-        isPlain &= facesOn[i] == 2;
+        isPlain &= neighbours[i].faces == 2;
     return true;
 }
 
@@ -62,15 +62,16 @@ inline std::uint16_t OneRing::note(CollapseMesh& mesh, std::uint32_t vertexNumbe
 {
     CollapseMesh::Vertex& record = mesh.vertices[vertexNumber];
     const std::uint32_t recorded = record.ringIndex % kMaxNeighbours;
-    const bool known = (recorded < neighbourCount) & (neighbour[recorded] == vertexNumber);
+    const bool known = (recorded < neighbourCount) & (neighbours[recorded].vertex == vertexNumber);
     const std::uint32_t i = known ? recorded : neighbourCount;
     record.ringIndex = static_cast<std::uint16_t>(i);
     mFilter |= std::uint64_t{1} << (vertexNumber % 64);
-    neighbour[i] = vertexNumber;
-    edge[i] = Vec3{record.position[0], record.position[1], record.position[2]} - origin;
-    facesOn[i] = static_cast<std::uint16_t>(known ? facesOn[i] + 1 : 1);
-    firstFace[i] = known ? firstFace[i] : static_cast<std::uint8_t>(face);
-    lastFace[i] = static_cast<std::uint8_t>(face);
+    Neighbour& entry = neighbours[i];
+    entry.vertex = vertexNumber;
+    entry.edge = Vec3{record.position[0], record.position[1], record.position[2]} - origin;
+    entry.faces = static_cast<std::uint16_t>(known ? entry.faces + 1 : 1);
+    entry.firstFace = known ? entry.firstFace : static_cast<std::uint8_t>(face);
+    entry.lastFace = static_cast<std::uint8_t>(face);
     neighbourCount += known ? 0 : 1;
     return static_cast<std::uint16_t>(i);
 }
@@ -78,17 +79,17 @@ inline std::uint16_t OneRing::note(CollapseMesh& mesh, std::uint32_t vertexNumbe
 inline std::uint16_t OneRing::noteAgain(CollapseMesh& mesh, std::uint32_t vertexNumber, std::uint32_t face)
 {
     const std::uint32_t i = mesh.vertices[vertexNumber].ringIndex % kMaxNeighbours;
-    if (i >= neighbourCount || neighbour[i] != vertexNumber)
+    if (i >= neighbourCount || neighbours[i].vertex != vertexNumber)
         return note(mesh, vertexNumber, face);
-    ++facesOn[i];
-    lastFace[i] = static_cast<std::uint8_t>(face);
+    ++neighbours[i].faces;
+    neighbours[i].lastFace = static_cast<std::uint8_t>(face);
     return static_cast<std::uint16_t>(i);
 }
 
 bool OneRing::isBorder() const
 {
     for (std::uint32_t i = 0; i < neighbourCount; ++i)
-        if (facesOn[i] == 1)
+        if (neighbours[i].faces == 1)
             return true;
     return false;
 }

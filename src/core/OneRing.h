@@ -23,6 +23,14 @@ public:
 
     static constexpr std::uint32_t kMaxNeighbours = 2 * kMaxFaces;
 
+    struct Neighbour {
+        Vec3 edge; ///< from this vertex to the neighbour
+        std::uint32_t vertex;
+        std::uint16_t faces;    ///< faces on the edge
+        std::uint8_t firstFace; ///< of those
+        std::uint8_t lastFace;  ///< the same as the first on a border
+    };
+
     std::uint32_t vertex = kNone;
     Vec3 origin;
     std::uint32_t faceCount = 0;
@@ -31,11 +39,7 @@ public:
     bool isPlain = false;    ///< one closed fan or more of them, without a border, seam or edge of more than two faces
 
     RingFace faces[kMaxFaces];
-    std::uint32_t neighbour[kMaxNeighbours];   ///< vertex numbers
-    Vec3 edge[kMaxNeighbours];                 ///< from this vertex to the neighbour
-    std::uint8_t firstFace[kMaxNeighbours];   ///< of the faces here that have the neighbour
-    std::uint8_t lastFace[kMaxNeighbours];    ///< the same as the first on a border
-    std::uint16_t facesOn[kMaxNeighbours];    ///< faces on the edge to the neighbour
+    Neighbour neighbours[kMaxNeighbours];
 
     /// Fills this ring; false, with an empty ring, when the vertex has no face or too many.
     bool build(CollapseMesh& mesh, std::uint32_t vertex);
@@ -47,7 +51,7 @@ public:
         if ((mFilter >> (vertexNumber % 64) & 1) == 0)
             return neighbourCount; // most often so, without a look at the vertex
         const std::uint32_t i = mesh.vertices[vertexNumber].ringIndex % kMaxNeighbours;
-        return i < neighbourCount && neighbour[i] == vertexNumber ? i : neighbourCount;
+        return i < neighbourCount && neighbours[i].vertex == vertexNumber ? i : neighbourCount;
     }
 
     bool contains(const RingFace& face, std::uint32_t i) const { return face.second == i || face.third == i; }

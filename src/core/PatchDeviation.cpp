@@ -30,7 +30,7 @@ void PatchDeviation::evaluate(const OneRing& ring, const CollapseMesh& mesh, std
         mBefore[i] = mesh.faces[ring.faces[i].face].deviation;
         before = std::max(before, mBefore[i]);
     }
-    const double simple = before + length(ring.edge[neighbour]);
+    const double simple = before + length(ring.neighbours[neighbour].edge);
     std::fill(mAfter, mAfter + ring.faceCount, simple);
     if (!evaluateFans(neighbour))
         std::fill(mAfter, mAfter + ring.faceCount, simple);
@@ -40,7 +40,7 @@ void PatchDeviation::evaluate(const OneRing& ring, const CollapseMesh& mesh, std
             mAfter[i] = std::min(mAfter[i], simple);
             mLargest = std::max(mLargest, mAfter[i]);
         }
-    if (ring.facesOn[neighbour] == ring.faceCount)
+    if (ring.neighbours[neighbour].faces == ring.faceCount)
         mLargest = simple;
 }
 
@@ -144,7 +144,7 @@ std::uint32_t PatchDeviation::nearestCut(const Fan& fan) const
     std::uint32_t cut = 1;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::uint32_t i = 1; i < fan.count; ++i) {
-        const double distance = lengthSquared(nearestToOrigin(mRing->edge[fan.spokes[0]], mRing->edge[fan.spokes[i]]));
+        const double distance = lengthSquared(nearestToOrigin(mRing->neighbours[fan.spokes[0]].edge, mRing->neighbours[fan.spokes[i]].edge));
         if (distance < nearest) {
             nearest = distance;
             cut = i;
@@ -157,7 +157,7 @@ std::uint32_t PatchDeviation::nearestCut(const Fan& fan) const
 /// halves) that now has this segment as its straight side.
 bool PatchDeviation::evaluateCut(const Fan& fan, std::uint32_t cut)
 {
-    const Vec3 centre = nearestToOrigin(mRing->edge[fan.spokes[0]], mRing->edge[fan.spokes[cut]]);
+    const Vec3 centre = nearestToOrigin(mRing->neighbours[fan.spokes[0]].edge, mRing->neighbours[fan.spokes[cut]].edge);
     const double shift = length(centre);
     Fan half;
     for (const bool second : {false, true}) {
@@ -195,7 +195,7 @@ bool PatchDeviation::project(const Fan& fan, const Vec3& centre)
     Vec3 normal;
     for (std::uint32_t i = 0; i < faces; ++i) {
         const std::uint32_t j = i + 1 == count ? 0 : i + 1;
-        normal += cross(mRing->edge[fan.spokes[i]] - centre, mRing->edge[fan.spokes[j]] - centre);
+        normal += cross(mRing->neighbours[fan.spokes[i]].edge - centre, mRing->neighbours[fan.spokes[j]].edge - centre);
     }
     const double size = length(normal);
     if (!(size > 0.0))
@@ -206,7 +206,7 @@ bool PatchDeviation::project(const Fan& fan, const Vec3& centre)
     const Vec3 u = across * (1.0 / length(across));
     const Vec3 v = cross(n, u);
     for (std::uint32_t i = 0; i < count; ++i) {
-        const Vec3 r = mRing->edge[fan.spokes[i]] - centre;
+        const Vec3 r = mRing->neighbours[fan.spokes[i]].edge - centre;
         mU[i] = dot(r, u);
         mV[i] = dot(r, v);
         mZ[i] = dot(r, n);

@@ -39,9 +39,9 @@ void QuadricCost::begin(const CollapseMesh& mesh, const OneRing& ring)
         addConstraints();
     const double importance = mesh.importance.empty() ? 0.0 : mesh.importance[ring.vertex];
     mImportanceFactor = 1.0 / ((1.0 - importance) * (1.0 - importance));
+    mQuadric.addIdentity(kShortEdge * mArea);
     for (std::uint32_t i = 0; i < ring.neighbourCount; ++i) {
-        const Vec3& edge = ring.edge[i];
-        mBound[i] = std::max(mQuadric.at(edge), 0.0) + kShortEdge * mArea * lengthSquared(edge);
+        mBound[i] = std::max(mQuadric.at(ring.neighbours[i].edge), 0.0);
         mExact[i] = false;
     }
 }
@@ -75,21 +75,20 @@ double QuadricCost::attributeCost(std::uint32_t neighbour)
         return kImpossible;
     if (mMesh->attributeStride == 0)
         return 0.0;
-    const Vec3& edge = mRing->edge[neighbour];
-    if (!mRing->isSeam)
-        return wedgeCost(edge, mRing->faces[0].wedge[0], mWedges(mRing->faces[0].wedge[0]));
+    const Vec3& edge = mRing->neighbours[neighbour].edge;
+    double along[OneRing::kMaxNeighbours];
+    for (std::uint32_t i = 0; i < mRing->neighbourCount; ++i)
+        along[i] = dot(edge, mRing->neighbours[i].edge);
     double sum = 0.0;
     for (std::uint32_t i = 0; i < mWedges.count(); ++i)
-        sum += wedgeCost(edge, mWedges.from(i), mWedges.to(i));
+        sum += wedgeCost(edge, along, mWedges.from(i), mWedges.to(i));
     return sum;
 }
 
-/// The face of this wedge that lies behind, seen along the edge, is continued to the destination.
-double QuadricCost::wedgeCost(const Vec3& edge, std::uint32_t wedge, std::uint32_t target) const
+/// The face of this wedge that lies behind, seen along the edge, is continued to the destination. `along` has each
+/// neighbour's component along the edge, times its length.
+double QuadricCost::wedgeCost(const Vec3& edge, const double* along, std::uint32_t wedge, std::uint32_t target) const
 {
-    double along[OneRing::kMaxNeighbours];
-    for (std::uint32_t i = 0; i < mRing->neighbourCount; ++i)
-        along[i] = dot(edge, mRing->edge[i]);
     double least = kImpossible, area = 0.0;
     const OneRing::RingFace* behind = nullptr;
     for (std::uint32_t i = 0; i < mRing->faceCount; ++i) {
@@ -103,7 +102,7 @@ double QuadricCost::wedgeCost(const Vec3& edge, std::uint32_t wedge, std::uint32
     }
     // Barycentric coordinates of the second and third corner at the point opposite to the destination.
     const CollapseMesh::Face& face = mMesh->faces[behind->face];
-    const Vec3 &second = mRing->edge[behind->second], &third = mRing->edge[behind->third];
+    const Vec3 &second = mRing->neighbours[behind->second].edge, &third = mRing->neighbours[behind->third].edge;
     const Vec3 across = cross(edge, normalOf(face));
     const double inverse = 1.0 / std::max(2.0 * face.area, kThinnest * std::max(lengthSquared(second), lengthSquared(third)));
     return area * mMesh->secondDifference(wedge, target, behind->wedge[1], static_cast<float>(dot(across, third) * inverse),
@@ -116,7 +115,7 @@ void QuadricCost::addConstraints()
 {
     const bool manySubMeshes = mMesh->firstFaceOfSubMesh.size() > 2;
     for (std::uint32_t i = 0; i < mRing->neighbourCount; ++i) {
-        const OneRing::RingFace &first = mRing->faces[mRing->firstFace[i]], &last = mRing->faces[mRing->lastFace[i]];
+        const OneRing::RingFace &first = mRing->faces[mRing->neighbours[i].firstFace], &last = mRing->faces[mRing->neighbours[i].lastFace];
         double weight = 0.0;
         if (&first == &last)
             weight = kBorderWeight;
@@ -125,9 +124,9 @@ void QuadricCost::addConstraints()
         else if (first.wedge[0] != last.wedge[0] || mRing->wedgeOf(first, i) != mRing->wedgeOf(last, i))
             weight = seamWeight(first, last, i);
         if (weight > 0.0) {
-            mQuadric.addSquare(cross(normalOf(mMesh->faces[first.face]), mRing->edge[i]), weight);
+            mQuadric.addSquare(cross(normalOf(mMesh->faces[first.face]), mRing->neighbours[i].edge), weight);
             if (&first != &last)
-                mQuadric.addSquare(cross(normalOf(mMesh->faces[last.face]), mRing->edge[i]), weight);
+                mQuadric.addSquare(cross(normalOf(mMesh->faces[last.face]), mRing->neighbours[i].edge), weight);
         }
     }
 }
@@ -138,7 +137,7 @@ double QuadricCost::seamWeight(const OneRing::RingFace& a, const OneRing::RingFa
 {
     const double jump = std::max(mMesh->attributeDistance(a.wedge[0], b.wedge[0]),
                                  mMesh->attributeDistance(mRing->wedgeOf(a, neighbour), mRing->wedgeOf(b, neighbour)));
-    return kSeamWeight * std::min(1.0, jump / lengthSquared(mRing->edge[neighbour]));
+    return kSeamWeight * std::min(1.0, jump / lengthSquared(mRing->neighbours[neighbour].edge));
 }
 
 } // namespace lodsmith

@@ -24,7 +24,7 @@ private:
     void addConstraints();
     double seamWeight(const OneRing::RingFace& a, const OneRing::RingFace& b, std::uint32_t neighbour) const;
     double attributeCost(std::uint32_t neighbour);
-    double wedgeCost(const Vec3& edge, std::uint32_t wedge, std::uint32_t target) const;
+    double wedgeCost(const Vec3& edge, const double* along, std::uint32_t wedge, std::uint32_t target) const;
 
     const CollapseMesh* mMesh = nullptr;
     const OneRing* mRing = nullptr;

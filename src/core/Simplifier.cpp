@@ -61,7 +61,7 @@ void Simplifier::enqueue(std::uint32_t vertex, const Candidate& candidate)
         mStalled.push_back(vertex);
         return;
     }
-    mTarget[vertex] = mRing.neighbour[candidate.neighbour];
+    mTarget[vertex] = mRing.neighbours[candidate.neighbour].vertex;
     mState[vertex] |= kQueued;
     mQueue.insert(candidate.cost, vertex);
 }
@@ -71,10 +71,10 @@ bool Simplifier::reached(const CollapseLimits& limits) const
     return mMesh.liveVertices <= limits.vertices || mMesh.liveFaces <= limits.triangles;
 }
 
-/// Vertices that could not be collapsed get another chance: under new limits, or once others have been.
-bool Simplifier::requeueStalled()
+/// Vertices whose collapses were beyond the last limits get another chance under new ones. (A change among a vertex's
+/// neighbours queues it anyway.)
+void Simplifier::requeueStalled()
 {
-    mCollapsedSince = 0;
     std::vector<std::uint32_t> stalled;
     stalled.swap(mStalled);
     for (std::uint32_t v : stalled) {
@@ -83,7 +83,6 @@ bool Simplifier::requeueStalled()
         mState[v] = static_cast<std::uint8_t>((mState[v] & ~kStalled) | kStale | kQueued);
         mQueue.insert(mFrontCost, v);
     }
-    return !mQueue.empty();
 }
 
 /// The queue jumps about in the mesh: each step asks for what the next ones will read, one link of the chain at a time.
@@ -161,14 +160,13 @@ bool Simplifier::withinLimits(const CollapseLimits& limits, const Candidate& can
 void Simplifier::collapse(const Candidate& candidate)
 {
     const auto neighbour = static_cast<std::uint32_t>(candidate.neighbour);
-    const std::uint32_t destination = mRing.neighbour[neighbour];
+    const std::uint32_t destination = mRing.neighbours[neighbour].vertex;
     mWedges.build(mMesh, mRing, neighbour);
     moveFaces(neighbour);
     mOnBorder[destination] |= mOnBorder[mRing.vertex];
     touchRing();
     mLargestDeviation = std::max(mLargestDeviation, mPatchDeviation.largest());
     mLargestLength = std::max(mLargestLength, mLength);
-    ++mCollapsedSince;
 }
 
 void Simplifier::moveFaces(std::uint32_t neighbour)
@@ -187,13 +185,13 @@ void Simplifier::moveFaces(std::uint32_t neighbour)
         mMesh.updatePlane(face);
         moved[count++] = ringFace.face;
     }
-    mMesh.moveFaces(mRing.vertex, mRing.neighbour[neighbour], moved, count);
+    mMesh.moveFaces(mRing.vertex, mRing.neighbours[neighbour].vertex, moved, count);
 }
 
 void Simplifier::touchRing()
 {
     for (std::uint32_t i = 0; i < mRing.neighbourCount; ++i) {
-        const std::uint32_t v = mRing.neighbour[i];
+        const std::uint32_t v = mRing.neighbours[i].vertex;
         if (mState[v] & kLocked)
             continue;
         mState[v] |= kStale;

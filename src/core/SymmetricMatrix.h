@@ -20,16 +20,11 @@ struct SymmetricMatrix {
         zz += w.z * n.z;
     }
 
-    /// Adds weight * (a * b^T + b * a^T).
-    void addProduct(const Vec3& a, const Vec3& b, double weight)
+    void addIdentity(double weight)
     {
-        const Vec3 w = a * weight;
-        xx += 2.0 * w.x * b.x;
-        xy += w.x * b.y + w.y * b.x;
-        xz += w.x * b.z + w.z * b.x;
-        yy += 2.0 * w.y * b.y;
-        yz += w.y * b.z + w.z * b.y;
-        zz += 2.0 * w.z * b.z;
+        xx += weight;
+        yy += weight;
+        zz += weight;
     }
 
     /// e^T * this * e

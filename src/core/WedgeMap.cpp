@@ -4,7 +4,7 @@ namespace lodsmith {
 
 bool WedgeMap::build(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour)
 {
-    const std::uint32_t destination = ring.neighbour[neighbour];
+    const std::uint32_t destination = ring.neighbours[neighbour].vertex;
     mCount = 1;
     mFrom[0] = ring.faces[0].wedge[0];
     mTo[0] = destination;
