@@ -8,6 +8,7 @@ set -euo pipefail
 
 readonly lodsmith=$root/build/release/bin/lodsmith
 readonly demo_model=drake
+readonly demo_levels=10:proportional:0.5,20:proportional:0.75,40:proportional:0.875,80:proportional:0.9375
 
 install_packages build
 configure release
@@ -19,7 +20,7 @@ case "${1-}" in
 *) exec "$lodsmith" "$@" ;;
 esac
 
-"$lodsmith" generate "$root/media/$demo_model/$demo_model.mesh" -o "$root/build/demo/" --force
+"$lodsmith" generate "$root/media/$demo_model/$demo_model.mesh" -o "$root/build/demo/" --force --levels "$demo_levels"
 cat <<EOF
 
 The mesh with its levels: $root/build/demo/$demo_model.mesh
@@ -28,7 +29,7 @@ The command itself:       $lodsmith
 To try next, in $root:
     ./scripts/run.sh inspect build/demo/$demo_model.mesh
     ./scripts/run.sh measure build/demo/$demo_model.mesh
-    ./scripts/run.sh generate media/ -o build/demo/ --force --levels 20:proportional:0.5,60:proportional:0.8
+    ./scripts/run.sh generate media/ -o build/demo/all/ --force
     ./scripts/run.sh import YOUR-MODEL.obj -o build/demo/yours.mesh
     ./scripts/run.sh generate --help
 EOF

@@ -187,7 +187,8 @@ Result<std::string> readFile(const fs::path& path)
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor < 0)
         return pathError(errno == ENOENT ? ErrorCode::NotFound : ErrorCode::Io,
-                         errno == ENOENT ? "no such file" : std::string("cannot be opened: ") + std::strerror(errno), path);
+                         errno == ENOENT ? "no such file" : std::string("cannot be opened: ") + std::strerror(errno),
+                         path);
     struct stat status = {};
     Result<std::string> content = pathError(ErrorCode::Io, "is no regular file", path);
     if (::fstat(descriptor, &status) != 0)

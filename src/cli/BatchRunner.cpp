@@ -23,10 +23,8 @@ public:
     SignalWatch()
     {
         caughtSignal = 0;
-        struct sigaction action = {};
-        action.sa_handler = [](int signal) { caughtSignal = signal; };
-        ::sigaction(SIGINT, &action, &mInterrupt);
-        ::sigaction(SIGTERM, &action, &mTerminate);
+        watch(SIGINT, mInterrupt);
+        watch(SIGTERM, mTerminate);
     }
     ~SignalWatch()
     {
@@ -39,6 +37,16 @@ public:
     SignalWatch& operator=(const SignalWatch&) = delete;
 
 private:
+    /// A signal that was ignored before (a job in the background, nohup) stays ignored.
+    static void watch(int signal, struct sigaction& before)
+    {
+        ::sigaction(signal, nullptr, &before);
+        struct sigaction action = {};
+        action.sa_handler = [](int caught) { caughtSignal = caught; };
+        if (before.sa_handler != SIG_IGN)
+            ::sigaction(signal, &action, nullptr);
+    }
+
     struct sigaction mInterrupt = {};
     struct sigaction mTerminate = {};
 };

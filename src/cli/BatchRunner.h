@@ -15,8 +15,8 @@ namespace lodsmith::cli {
 
 /// One file of a batch.
 struct BatchJob {
-    std::string file;             ///< as people know it; errors without a file get this one
-    std::uint64_t inputBytes = 0; ///< the memory limit grows with it
+    std::string file;                                     ///< as people know it; errors without a file get this one
+    std::uint64_t inputBytes = 0;                         ///< the memory limit grows with it
     std::vector<std::filesystem::path> outputDirectories; ///< swept when the child dies while writing
     ChildWork work;
 };

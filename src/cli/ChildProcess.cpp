@@ -75,8 +75,9 @@ Result<Json> guarded(const ChildWork& work, Progress& progress)
 [[noreturn]] void live(const ChildWork& work, const ChildLimits& limits, Progress& progress, int result, int messages)
 {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    ::signal(SIGINT, SIG_DFL);
     ::signal(SIGTERM, SIG_DFL);
+    // An interrupt from the terminal reaches the parent too, which then ends its children.
+    ::signal(SIGINT, SIG_IGN);
     // A file that grows beyond the file size limit is an error of write(), not a death.
     ::signal(SIGXFSZ, SIG_IGN);
     const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -204,12 +205,15 @@ Result<Json> ChildProcess::finish()
 Error ChildProcess::describeDeath(int status) const
 {
     if (mOverTime)
-        return Error{ErrorCode::Cancelled, "took longer than the time limit of " + formatNumber(mLimits.seconds, 6) + " s"};
+        return Error{ErrorCode::Cancelled,
+                     "took longer than the time limit of " + formatNumber(mLimits.seconds, 6) + " s"};
     std::string how = "ended with status " + std::to_string(WEXITSTATUS(status)) + " and no answer";
     if (WIFSIGNALED(status))
-        how = std::string("died of signal ") + std::to_string(WTERMSIG(status)) + " (" + ::strsignal(WTERMSIG(status)) + ")";
+        how = std::string("died of signal ") + std::to_string(WTERMSIG(status)) + " (" + ::strsignal(WTERMSIG(status))
+              + ")";
     const std::string words = lastWords(mMessages.text);
-    return Error{ErrorCode::BadFile, "the process that worked on it " + how + (words.empty() ? "" : "; it said: " + words)};
+    return Error{ErrorCode::BadFile,
+                 "the process that worked on it " + how + (words.empty() ? "" : "; it said: " + words)};
 }
 
 } // namespace lodsmith::cli

@@ -46,8 +46,10 @@ Result<std::string> parseStrategy(const std::string& word)
         return std::string("pixel_count");
     if (word == "distance_box" || word == "screen_ratio_pixel_count")
         return word;
-    return Error{ErrorCode::InvalidSetting, "'" + word + "' is no strategy; there are distance and pixelcount (and OGRE's own "
-                                            "distance_sphere, distance_box, pixel_count, screen_ratio_pixel_count)"};
+    return Error{ErrorCode::InvalidSetting,
+                 "'" + word
+                     + "' is no strategy; there are distance and pixelcount (and OGRE's own "
+                       "distance_sphere, distance_box, pixel_count, screen_ratio_pixel_count)"};
 }
 
 Result<Metric> parseMetric(const std::string& word)
@@ -84,8 +86,8 @@ void checkManualLevels(const std::vector<LevelSpec>& levels, const std::vector<P
             throw UsageError("--levels: '" + level.meshFile + "' needs a file name that no other level has");
         for (const PlannedFile& file : plan)
             if (file.output.filename() == name)
-                throw UsageError("--levels: '" + level.meshFile + "' has the file name of the output '" +
-                                 file.output.string() + "'");
+                throw UsageError("--levels: '" + level.meshFile + "' has the file name of the output '"
+                                 + file.output.string() + "'");
     }
 }
 
@@ -167,7 +169,8 @@ int runGenerate(GenerateArguments& arguments)
 
 void addSimplifierOptions(CLI::App& command, GenerateArguments& arguments)
 {
-    addParsedOption(command, "--metric", "What a collapse costs: quadric or curvature [quadric; curvature for automatic levels]",
+    addParsedOption(command, "--metric",
+                    "What a collapse costs: quadric or curvature [quadric; curvature for automatic levels]",
                     [&arguments](const std::string& word) -> Result<Done> {
                         const Result<Metric> metric = parseMetric(word);
                         if (!metric)
@@ -197,15 +200,16 @@ void addSimplifierOptions(CLI::App& command, GenerateArguments& arguments)
 
 void addLevelOptions(CLI::App& command, GenerateArguments& arguments)
 {
-    addParsedOption(command, "--levels",
-                    "Levels, nearest first, with commas between: VALUE:METHOD:AMOUNT or VALUE:mesh:FILE. VALUE is a distance in "
-                    "world units or a pixel count. METHOD and AMOUNT: proportional and the share of the vertices removed, "
-                    "constant and their number, triangles and how many are kept, deviation and its bound in world units, "
-                    "collapsecost and the dearest collapse. FILE is a hand-made mesh. [automatic levels]",
-                    [&arguments](const std::string& text) -> Result<Done> {
-                        arguments.levels = text;
-                        return Done{};
-                    })
+    addParsedOption(
+        command, "--levels",
+        "Levels, nearest first, with commas between: VALUE:METHOD:AMOUNT or VALUE:mesh:FILE. VALUE is a distance in "
+        "world units or a pixel count. METHOD and AMOUNT: proportional and the share of the vertices removed, "
+        "constant and their number, triangles and how many are kept, deviation and its bound in world units, "
+        "collapsecost and the dearest collapse. FILE is a hand-made mesh. [automatic levels]",
+        [&arguments](const std::string& text) -> Result<Done> {
+            arguments.levels = text;
+            return Done{};
+        })
         ->type_name("SPEC,...");
     addParsedOption(command, "--strategy", "What VALUE is: distance or pixelcount [distance]",
                     [&arguments](const std::string& word) -> Result<Done> {
@@ -221,11 +225,14 @@ void addLevelOptions(CLI::App& command, GenerateArguments& arguments)
 void addRunOptions(CLI::App& command, GenerateArguments& arguments)
 {
     command.add_flag("--share-buffers", arguments.settings.shareBuffers, "Let two levels share one index buffer");
-    addCountOption(command, "--repeat", arguments.settings.repeat, 1, 100000, "Generate N times, for the times reported [1]")
+    addCountOption(command, "--repeat", arguments.settings.repeat, 1, 100000,
+                   "Generate N times, for the times reported [1]")
         ->type_name("N");
-    addCountOption(command, "-j,--jobs", arguments.batch.workers, 1, 1024, "Work on N files at a time [1]")->type_name("N");
+    addCountOption(command, "-j,--jobs", arguments.batch.workers, 1, 1024, "Work on N files at a time [1]")
+        ->type_name("N");
     addTimeLimitOption(command, arguments.batch);
-    command.add_flag("--json", arguments.json, "Print one JSON object a mesh on standard output, and nothing else there");
+    command.add_flag("--json", arguments.json,
+                     "Print one JSON object a mesh on standard output, and nothing else there");
     addWriteOptions(command, arguments.settings.write);
 }
 
@@ -237,8 +244,9 @@ void addGenerateCommand(CLI::App& app, int& exitCode)
     CLI::App* command = app.add_subcommand("generate", "Give meshes levels of detail");
     command->add_option("IN", arguments->inputs, "Meshes, or directories with meshes at any depth")->required();
     command
-        ->add_option("-o,--output", arguments->output,
-                     "Where the result goes: a file, or a directory when it is one, ends in '/', or there are several inputs")
+        ->add_option(
+            "-o,--output", arguments->output,
+            "Where the result goes: a file, or a directory when it is one, ends in '/', or there are several inputs")
         ->required()
         ->type_name("OUT");
     addLevelOptions(*command, *arguments);

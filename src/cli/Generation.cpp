@@ -61,7 +61,8 @@ Result<LodConfig> makeConfig(const GenerateSettings& settings, const Ogre::MeshP
     LodConfig config;
     if (settings.levels.empty()) {
         if (!(mesh->getBoundingSphereRadius() > 0.0f))
-            return Error{ErrorCode::InvalidGeometry, "has no bounding radius, which the automatic levels follow; use --levels"};
+            return Error{ErrorCode::InvalidGeometry,
+                         "has no bounding radius, which the automatic levels follow; use --levels"};
         config = automaticLodConfig(mesh);
     }
     config.mesh = mesh;
@@ -134,20 +135,35 @@ std::size_t levelBytes(const Ogre::Mesh& mesh, std::size_t level)
 
 Json levelZeroRecord(const LodReport& report, const Ogre::Mesh& mesh)
 {
-    return Json{{"value", nullptr},   {"vertices", report.vertices}, {"triangles", report.triangles}, {"deviation", 0.0},
-                {"skipped", false},   {"stop", nullptr},             {"manual", nullptr},
+    return Json{{"value", nullptr},
+                {"vertices", report.vertices},
+                {"triangles", report.triangles},
+                {"deviation", 0.0},
+                {"skipped", false},
+                {"stop", nullptr},
+                {"manual", nullptr},
                 {"bytes", levelBytes(mesh, 0)}};
 }
 
 Json levelRecord(const LodLevelReport& level, const std::string& manual, const ManualCounts& counts, std::size_t bytes)
 {
     if (level.manual)
-        return Json{{"value", level.value}, {"vertices", counts.vertices}, {"triangles", counts.triangles},
-                    {"deviation", nullptr}, {"skipped", false},            {"stop", nullptr},
-                    {"manual", manual},     {"bytes", 0}};
-    return Json{{"value", level.value},         {"vertices", level.vertices}, {"triangles", level.triangles},
-                {"deviation", level.deviation}, {"skipped", level.skipped},   {"stop", toString(level.stop)},
-                {"manual", nullptr},            {"bytes", bytes}};
+        return Json{{"value", level.value},
+                    {"vertices", counts.vertices},
+                    {"triangles", counts.triangles},
+                    {"deviation", nullptr},
+                    {"skipped", false},
+                    {"stop", nullptr},
+                    {"manual", manual},
+                    {"bytes", 0}};
+    return Json{{"value", level.value},
+                {"vertices", level.vertices},
+                {"triangles", level.triangles},
+                {"deviation", level.deviation},
+                {"skipped", level.skipped},
+                {"stop", toString(level.stop)},
+                {"manual", nullptr},
+                {"bytes", bytes}};
 }
 
 Json levelRecords(const LodConfig& config, const LodReport& report, const std::vector<ManualCounts>& manual)
@@ -158,12 +174,14 @@ Json levelRecords(const LodConfig& config, const LodReport& report, const std::v
         const LodLevelReport& level = report.levels[i];
         stored += level.skipped ? 0 : 1;
         const std::size_t bytes = level.skipped || level.manual ? 0 : levelBytes(*config.mesh, stored);
-        levels.push_back(levelRecord(level, config.levels[i].manualMeshName, level.manual ? manual[i] : ManualCounts(), bytes));
+        levels.push_back(
+            levelRecord(level, config.levels[i].manualMeshName, level.manual ? manual[i] : ManualCounts(), bytes));
     }
     return levels;
 }
 
-Json recordOf(const LodConfig& config, const LodReport& report, const std::vector<ManualCounts>& manual, const Timings& timings)
+Json recordOf(const LodConfig& config, const LodReport& report, const std::vector<ManualCounts>& manual,
+              const Timings& timings)
 {
     Json record;
     record["vertices"] = report.vertices;

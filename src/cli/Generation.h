@@ -16,9 +16,9 @@ namespace lodsmith::cli {
 
 /// What `lodsmith generate` was asked to do with each mesh.
 struct GenerateSettings {
-    std::vector<LevelSpec> levels;  ///< empty for the automatic configuration
-    std::string strategy;           ///< OGRE's name; not used by the automatic configuration
-    std::optional<Metric> metric;   ///< nothing: quadric, and curvature for the automatic configuration
+    std::vector<LevelSpec> levels; ///< empty for the automatic configuration
+    std::string strategy;          ///< OGRE's name; not used by the automatic configuration
+    std::optional<Metric> metric;  ///< nothing: quadric, and curvature for the automatic configuration
     AttributeWeights weights;
     bool lockBorders = false;
     bool lockSeams = false;

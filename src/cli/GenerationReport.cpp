@@ -46,7 +46,8 @@ std::vector<std::string> levelRow(std::size_t index, const Json& level, const Js
 std::string levelTable(const Json& record)
 {
     const bool pixels = record["strategy"].get<std::string>().find("pixel") != std::string::npos;
-    Table table({"level", pixels ? "pixels" : "distance", "vertices", "triangles", "share", "deviation", "of radius", "bytes"});
+    Table table(
+        {"level", pixels ? "pixels" : "distance", "vertices", "triangles", "share", "deviation", "of radius", "bytes"});
     for (std::size_t i = 0; i < record["levels"].size(); ++i)
         table.add(levelRow(i, record["levels"][i], record));
     return table.text();
@@ -57,7 +58,8 @@ std::string times(const Json& record, unsigned repeat)
     std::string text = "read " + milliseconds(record["read_ms"]) + ", generated " + milliseconds(record["generate_ms"]);
     if (repeat > 1)
         text += " (median of " + std::to_string(repeat) + ", least " + milliseconds(record["generate_min_ms"]) + ")";
-    text += ", of it vertex-cache order " + milliseconds(record["order_ms"]) + ", written " + milliseconds(record["write_ms"]);
+    text += ", of it vertex-cache order " + milliseconds(record["order_ms"]) + ", written "
+            + milliseconds(record["write_ms"]);
     if (!record["peak_kb"].is_null())
         text += ", memory +" + count(record["peak_kb"]) + " KiB";
     return text + "\n";
@@ -94,8 +96,9 @@ std::string cleaned(const Json& record)
 
 std::string generationReport(const Json& record, unsigned repeat)
 {
-    std::string text = printable(record["input"].get<std::string>()) + " -> " +
-                       printable(record["output"].get<std::string>()) + "\n" + levelTable(record) + times(record, repeat);
+    std::string text = printable(record["input"].get<std::string>()) + " -> "
+                       + printable(record["output"].get<std::string>()) + "\n" + levelTable(record)
+                       + times(record, repeat);
     for (std::size_t i = 0; i < record["levels"].size(); ++i)
         text += remark(i, record["levels"][i]);
     text += cleaned(record);

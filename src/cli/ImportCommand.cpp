@@ -88,7 +88,8 @@ void addImportCommand(CLI::App& app, int& exitCode)
     const auto arguments = std::make_shared<ImportArguments>();
     CLI::App* command = app.add_subcommand("import", "Make an OGRE mesh of a model (OBJ, glTF, FBX, PLY, STL ...)");
     command->add_option("MODEL", arguments->model, "A model in any format that assimp reads")->required();
-    command->add_option("-o,--output", arguments->output, "The mesh, or a directory for it [MODEL with the ending .mesh]")
+    command
+        ->add_option("-o,--output", arguments->output, "The mesh, or a directory for it [MODEL with the ending .mesh]")
         ->type_name("OUT");
     addWriteOptions(*command, arguments->write);
     addTimeLimitOption(*command, arguments->batch);

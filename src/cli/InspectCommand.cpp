@@ -70,13 +70,14 @@ std::string statisticsText(const Json& record)
 
 std::string report(const Json& record)
 {
-    std::string result = text(record["input"]) + ": format " + text(record["format"]) +
-                         (record["big_endian"].get<bool>() ? ", big endian" : "") + ", " + text(record["bytes"]) + " bytes\n";
+    std::string result = text(record["input"]) + ": format " + text(record["format"])
+                         + (record["big_endian"].get<bool>() ? ", big endian" : "") + ", " + text(record["bytes"])
+                         + " bytes\n";
     result += statisticsText(record);
-    result += "skeleton: " + text(record["skeleton"]) +
-              (record["skeleton"].is_null() ? "" : ", bones: " + text(record["bones"])) + "\n";
-    result += "poses: " + text(record["poses"]) + ", animations: " + text(record["animations"]) +
-              ", edge lists: " + text(record["edge_lists"]) + "\n";
+    result += "skeleton: " + text(record["skeleton"])
+              + (record["skeleton"].is_null() ? "" : ", bones: " + text(record["bones"])) + "\n";
+    result += "poses: " + text(record["poses"]) + ", animations: " + text(record["animations"])
+              + ", edge lists: " + text(record["edge_lists"]) + "\n";
     result += subMeshTable(record) + levelTable(record);
     for (const Json& note : record["notes"])
         result += "note: " + text(note) + "\n";

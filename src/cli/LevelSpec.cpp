@@ -64,12 +64,13 @@ Result<LevelSpec> withTarget(LevelSpec level, std::string_view amountText, std::
 {
     const Method* method = findMethod(level.method);
     if (!method)
-        return invalid(quoted(level.method) + " in level " + quoted(whole) +
-                       " is no method; there are proportional, constant, triangles, deviation, collapsecost and mesh");
+        return invalid(
+            quoted(level.method) + " in level " + quoted(whole)
+            + " is no method; there are proportional, constant, triangles, deviation, collapsecost and mesh");
     const std::optional<double> amount = parseAmount(*method, amountText);
     if (!amount)
-        return invalid(quoted(amountText) + " in level " + quoted(whole) + " is no amount for " + level.method +
-                       ", which takes " + method->amount);
+        return invalid(quoted(amountText) + " in level " + quoted(whole) + " is no amount for " + level.method
+                       + ", which takes " + method->amount);
     level.target = {method->kind, *amount};
     return level;
 }
@@ -102,8 +103,8 @@ Result<LevelSpec> parseLevelSpec(std::string_view text)
 
     const std::optional<double> value = parseNumber(text.substr(0, first));
     if (!value || static_cast<float>(*value) <= 0.0f || *value > kLargestValue)
-        return invalid(quoted(text.substr(0, first)) + " in level " + quoted(text) +
-                       " is no strategy value; it takes a number above 0 and up to 1e18");
+        return invalid(quoted(text.substr(0, first)) + " in level " + quoted(text)
+                       + " is no strategy value; it takes a number above 0 and up to 1e18");
 
     LevelSpec level;
     level.value = static_cast<float>(*value);
@@ -125,8 +126,8 @@ Result<std::vector<LevelSpec>> parseLevelSpecs(std::string_view text, LevelOrder
         if (!level)
             return level.error();
         if (!levels.empty() && !inOrder(levels.back().value, level.value().value, order))
-            return invalid("level " + quoted(part) + " does not follow the one before: levels come nearest first, with " +
-                           (order == LevelOrder::Rising ? "rising distances" : "falling pixel counts"));
+            return invalid("level " + quoted(part) + " does not follow the one before: levels come nearest first, with "
+                           + (order == LevelOrder::Rising ? "rising distances" : "falling pixel counts"));
         levels.push_back(std::move(level).value());
     }
     return levels;

@@ -49,8 +49,9 @@ Result<std::vector<std::uint32_t>> readTriangles(const Ogre::SubMesh& subMesh, s
     indices.resize(indices.size() / 3 * 3);
     for (const std::uint32_t index : indices)
         if (index >= vertexCount)
-            return badLevel(ErrorCode::IndexOutOfRange, name + " names vertex " + std::to_string(index) + " of " +
-                                                            std::to_string(vertexCount), number);
+            return badLevel(ErrorCode::IndexOutOfRange,
+                            name + " names vertex " + std::to_string(index) + " of " + std::to_string(vertexCount),
+                            number);
     return indices;
 }
 
@@ -66,8 +67,8 @@ Result<LodLevelView> readLodLevel(const Ogre::Mesh& mesh, const MeshData& data, 
         if (place < 0)
             continue;
         SubMeshView& subMesh = result.view.subMeshes[static_cast<std::size_t>(place)];
-        Result<std::vector<std::uint32_t>> triangles =
-            readTriangles(*mesh.getSubMesh(number), number, level, result.view.vertexBuffers[subMesh.vertexBuffer].vertexCount);
+        Result<std::vector<std::uint32_t>> triangles = readTriangles(
+            *mesh.getSubMesh(number), number, level, result.view.vertexBuffers[subMesh.vertexBuffer].vertexCount);
         if (!triangles)
             return triangles.error();
         std::vector<std::uint32_t>& indices = result.indices[static_cast<std::size_t>(place)];

@@ -73,21 +73,25 @@ Result<Json> measureLevel(const MeshView& original, const MeshView& simplified, 
 }
 
 /// A level as OGRE holds it: generated ones share the mesh's vertices, hand-made ones are meshes of their own.
-Result<Json> measureStoredLevel(const MeshView& original, const Ogre::Mesh& mesh, const MeshData& data, Ogre::ushort level,
-                                const DeviationOptions& options)
+Result<Json> measureStoredLevel(const MeshView& original, const Ogre::Mesh& mesh, const MeshData& data,
+                                Ogre::ushort level, const DeviationOptions& options)
 {
     const Ogre::MeshLodUsage& usage = mesh.getLodLevel(level);
     if (usage.manualName.empty()) {
         const Result<LodLevelView> view = readLodLevel(mesh, data, level);
-        return view ? measureLevel(original, view.value().view, level, usage.userValue, options) : Result<Json>(view.error());
+        return view ? measureLevel(original, view.value().view, level, usage.userValue, options)
+                    : Result<Json>(view.error());
     }
     if (!usage.manualMesh)
-        return Error{ErrorCode::NotFound, "level " + std::to_string(level) + ": the mesh '" + usage.manualName + "' is not there"};
+        return Error{ErrorCode::NotFound,
+                     "level " + std::to_string(level) + ": the mesh '" + usage.manualName + "' is not there"};
     const Result<MeshData> manual = MeshReader::read(*usage.manualMesh);
-    return manual ? measureLevel(original, manual.value().view(), level, usage.userValue, options) : Result<Json>(manual.error());
+    return manual ? measureLevel(original, manual.value().view(), level, usage.userValue, options)
+                  : Result<Json>(manual.error());
 }
 
-Result<Json> measureMesh(const Ogre::Mesh& mesh, const MeshView* original, const DeviationOptions& options, Progress& progress)
+Result<Json> measureMesh(const Ogre::Mesh& mesh, const MeshView* original, const DeviationOptions& options,
+                         Progress& progress)
 {
     const Result<MeshData> data = MeshReader::read(mesh);
     if (!data)
@@ -99,9 +103,8 @@ Result<Json> measureMesh(const Ogre::Mesh& mesh, const MeshView* original, const
     Json record{{"radius", statistics.value().radius}, {"levels", Json::array()}};
     const unsigned levels = mesh.getNumLodLevels();
     for (Ogre::ushort level = 0; level < levels; ++level) {
-        const Result<Json> measured = level == 0
-                                          ? measureLevel(reference, data.value().view(), 0, nullptr, options)
-                                          : measureStoredLevel(reference, mesh, data.value(), level, options);
+        const Result<Json> measured = level == 0 ? measureLevel(reference, data.value().view(), 0, nullptr, options)
+                                                 : measureStoredLevel(reference, mesh, data.value(), level, options);
         if (!measured)
             return measured.error();
         record["levels"].push_back(measured.value());
@@ -139,13 +142,14 @@ std::string share(const Json& number, const Json& whole)
 
 std::string report(const Json& record)
 {
-    Table table({"level", "value", "triangles", "mean", "of radius", "rms", "max", "normal mean", "uv mean", "flipped", "new borders",
-                 "new non-manifold"});
+    Table table({"level", "value", "triangles", "mean", "of radius", "rms", "max", "normal mean", "uv mean", "flipped",
+                 "new borders", "new non-manifold"});
     for (const Json& level : record["levels"])
         table.add({text(level["level"]), text(level["value"]), text(level["triangles"]), text(level["surface"]["mean"]),
-                   share(level["surface"]["mean"], record["radius"]), text(level["surface"]["rms"]), text(level["surface"]["max"]),
-                   text(level["normal"]["mean"]), text(level["uv"]["mean"]), text(level["flipped_triangles"]),
-                   text(level["new_border_edges"]), text(level["new_non_manifold_edges"])});
+                   share(level["surface"]["mean"], record["radius"]), text(level["surface"]["rms"]),
+                   text(level["surface"]["max"]), text(level["normal"]["mean"]), text(level["uv"]["mean"]),
+                   text(level["flipped_triangles"]), text(level["new_border_edges"]),
+                   text(level["new_non_manifold_edges"])});
     return table.text();
 }
 

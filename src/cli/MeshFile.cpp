@@ -66,8 +66,9 @@ Result<Done> checkFormat(const Ogre::Mesh& mesh, const MeshFormat& format)
     if (!holdsLevels(format.version) && mesh.getNumLodLevels() > 1)
         return withMessage(ErrorCode::Unsupported, "OGRE writes no levels of detail in mesh formats 1.0 and 1.4");
     if (swapsBytes(format.endian) && !canSwap(mesh))
-        return withMessage(ErrorCode::Unsupported,
-                           "has vertex elements (colours, for one) whose byte order OGRE cannot turn; use --endian native");
+        return withMessage(
+            ErrorCode::Unsupported,
+            "has vertex elements (colours, for one) whose byte order OGRE cannot turn; use --endian native");
     return Done{};
 }
 
@@ -121,7 +122,8 @@ Result<Ogre::MeshVersion> parseMeshVersion(const std::string& word)
         return Ogre::MESH_VERSION_1_8;
     if (word == "1.10")
         return Ogre::MESH_VERSION_1_10;
-    return withMessage(ErrorCode::InvalidSetting, "'" + word + "' is no mesh version; there are 1.0, 1.4, 1.41, 1.8 and 1.10");
+    return withMessage(ErrorCode::InvalidSetting,
+                       "'" + word + "' is no mesh version; there are 1.0, 1.4, 1.41, 1.8 and 1.10");
 }
 
 Result<Ogre::Serializer::Endian> parseEndian(const std::string& word)
@@ -161,7 +163,8 @@ std::vector<Companion> findSkeleton(const Ogre::Mesh& mesh, const fs::path& mesh
     const fs::path source = meshPath.parent_path() / name;
     std::error_code ignored;
     if (!OgreSession::staysInside(name) || fs::path(name).extension() != ".skeleton")
-        notes.push_back("skeleton '" + name + "' is no .skeleton file below the mesh's directory: not read, not copied");
+        notes.push_back("skeleton '" + name
+                        + "' is no .skeleton file below the mesh's directory: not read, not copied");
     else if (!fs::exists(source, ignored))
         notes.push_back("skeleton '" + name + "' is not there: not copied");
     else

@@ -40,8 +40,8 @@ Result<Done> checkMeshChunk(std::string_view bytes, std::size_t offset, bool big
         return bad("is damaged: no mesh follows its header");
     const std::uint64_t end = offset + readInteger(bytes, offset + 2, 4, bigEndian);
     if (end > bytes.size() + kMiscountedBytes)
-        return bad("is cut off or damaged: its mesh should end at byte " + std::to_string(end) + ", the file ends at " +
-                   std::to_string(bytes.size()));
+        return bad("is cut off or damaged: its mesh should end at byte " + std::to_string(end) + ", the file ends at "
+                   + std::to_string(bytes.size()));
     return Done{};
 }
 

@@ -27,8 +27,8 @@ size_t CheckedStream::read(void* buffer, size_t count)
         return MemoryDataStream::read(buffer, count);
     if (left > 0 || count > kChunkHeaderBytes)
         OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS,
-                    "the file is cut off or damaged: " + std::to_string(count) + " bytes are wanted at byte " +
-                        std::to_string(tell()) + ", and " + std::to_string(left) + " are left",
+                    "the file is cut off or damaged: " + std::to_string(count) + " bytes are wanted at byte "
+                        + std::to_string(tell()) + ", and " + std::to_string(left) + " are left",
                     "CheckedStream::read");
     std::memset(buffer, 0, count);
     return 0;

@@ -48,7 +48,10 @@ Result<Done> checkReadable(const fs::path& path)
 /// Builds the mesh while it walks over the nodes of a scene.
 class MeshBuilder {
 public:
-    MeshBuilder(const aiScene& scene, Ogre::Mesh& mesh, ImportReport& report) : mScene(scene), mMesh(mesh), mReport(report) {}
+    MeshBuilder(const aiScene& scene, Ogre::Mesh& mesh, ImportReport& report)
+        : mScene(scene), mMesh(mesh), mReport(report)
+    {
+    }
 
     Result<Done> addNode(const aiNode& node, const aiMatrix4x4& parent)
     {
@@ -114,7 +117,8 @@ private:
     static void declare(const aiMesh& source, Ogre::VertexDeclaration& declaration)
     {
         std::size_t offset = 0;
-        const auto add = [&](Ogre::VertexElementType type, Ogre::VertexElementSemantic semantic, unsigned short index = 0) {
+        const auto add = [&](Ogre::VertexElementType type, Ogre::VertexElementSemantic semantic,
+                             unsigned short index = 0) {
             offset += declaration.addElement(0, offset, type, semantic, index).getSize();
         };
         add(Ogre::VET_FLOAT3, Ogre::VES_POSITION);
@@ -123,7 +127,8 @@ private:
         if (source.HasVertexColors(0))
             add(Ogre::VET_UBYTE4_NORM, Ogre::VES_DIFFUSE);
         for (unsigned short set = 0; set < AI_MAX_NUMBER_OF_TEXTURECOORDS && source.HasTextureCoords(set); ++set)
-            add(source.mNumUVComponents[set] == 3 ? Ogre::VET_FLOAT3 : Ogre::VET_FLOAT2, Ogre::VES_TEXTURE_COORDINATES, set);
+            add(source.mNumUVComponents[set] == 3 ? Ogre::VET_FLOAT3 : Ogre::VET_FLOAT2, Ogre::VES_TEXTURE_COORDINATES,
+                set);
     }
 
     Result<Done> addVertices(const aiMesh& source, const aiMatrix4x4& transform, Ogre::SubMesh& subMesh)
@@ -132,7 +137,8 @@ private:
         subMesh.vertexData->vertexCount = source.mNumVertices;
         declare(source, *subMesh.vertexData->vertexDeclaration);
         const auto buffer = Ogre::HardwareBufferManager::getSingleton().createVertexBuffer(
-            subMesh.vertexData->vertexDeclaration->getVertexSize(0), source.mNumVertices, Ogre::HardwareBuffer::HBU_STATIC_WRITE_ONLY);
+            subMesh.vertexData->vertexDeclaration->getVertexSize(0), source.mNumVertices,
+            Ogre::HardwareBuffer::HBU_STATIC_WRITE_ONLY);
         subMesh.vertexData->vertexBufferBinding->setBinding(0, buffer);
 
         aiMatrix3x3 normalTransform(transform);
@@ -150,7 +156,8 @@ private:
         return Done{};
     }
 
-    static void putAttributes(const aiMesh& source, unsigned i, const aiMatrix3x3& normalTransform, VertexWriter& writer)
+    static void putAttributes(const aiMesh& source, unsigned i, const aiMatrix3x3& normalTransform,
+                              VertexWriter& writer)
     {
         if (source.HasNormals()) {
             const aiVector3D normal = (normalTransform * source.mNormals[i]).NormalizeSafe();
@@ -255,9 +262,9 @@ Result<ImportReport> importModel(const fs::path& path, Ogre::Mesh& mesh)
     Assimp::Importer importer;
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kHardEdgeDegrees);
-    const aiScene* scene = importer.ReadFile(path.string(), aiProcess_Triangulate | aiProcess_SortByPType |
-                                                                aiProcess_GenSmoothNormals | aiProcess_JoinIdenticalVertices |
-                                                                aiProcess_FlipUVs | aiProcess_ValidateDataStructure);
+    const aiScene* scene = importer.ReadFile(
+        path.string(), aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenSmoothNormals
+                           | aiProcess_JoinIdenticalVertices | aiProcess_FlipUVs | aiProcess_ValidateDataStructure);
     if (!scene || !scene->mRootNode)
         return fail(ErrorCode::BadFile, std::string("cannot be imported: ") + importer.GetErrorString(), path);
 

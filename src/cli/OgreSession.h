@@ -41,7 +41,8 @@ public:
     Result<Ogre::MeshPtr> load(const std::filesystem::path& path);
 
     /// Loads a hand-made level for `owner` under the name by which that will find it. Errors: as load().
-    Result<Ogre::MeshPtr> loadLevelOf(const Ogre::Mesh& owner, const std::filesystem::path& path, const std::string& name);
+    Result<Ogre::MeshPtr> loadLevelOf(const Ogre::Mesh& owner, const std::filesystem::path& path,
+                                      const std::string& name);
 
     /// A new, empty mesh.
     Ogre::MeshPtr create(const Ogre::String& name);

@@ -21,7 +21,8 @@ fs::path identity(const fs::path& path)
 bool isMeshName(const fs::path& path)
 {
     std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
     return extension == ".mesh";
 }
 
@@ -75,15 +76,16 @@ Result<Done> checkCollisions(const std::vector<PlannedFile>& plan)
             continue;
         const auto [other, isNew] = byOutput.emplace(identity(file.output), &file);
         if (!isNew)
-            return invalid("both '" + other->second->input.string() + "' and '" + file.input.string() + "' would become '" +
-                           file.output.string() + "'");
+            return invalid("both '" + other->second->input.string() + "' and '" + file.input.string()
+                           + "' would become '" + file.output.string() + "'");
     }
     for (const PlannedFile& file : plan) {
         if (file.error)
             continue;
         const auto writer = byOutput.find(identity(file.input));
         if (writer != byOutput.end() && writer->second != &file)
-            return invalid("the output of '" + writer->second->input.string() + "' is the input '" + file.input.string() + "'");
+            return invalid("the output of '" + writer->second->input.string() + "' is the input '" + file.input.string()
+                           + "'");
     }
     return Done{};
 }
@@ -109,7 +111,8 @@ Result<std::vector<PlannedFile>> planOutputs(const std::vector<std::string>& inp
         else if (!fs::exists(input, ignored))
             plan.push_back(failed(input, ErrorCode::NotFound, "no such file"));
         else
-            plan.push_back({input, intoDirectory ? fs::path(output) / input.filename() : fs::path(output), std::nullopt});
+            plan.push_back(
+                {input, intoDirectory ? fs::path(output) / input.filename() : fs::path(output), std::nullopt});
     }
     if (auto distinct = checkCollisions(plan); !distinct)
         return distinct.error();

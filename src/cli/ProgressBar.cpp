@@ -45,11 +45,12 @@ std::string progressLine(const ProgressState& state, std::size_t width)
     const double work = std::min(static_cast<double>(state.done) + state.partly, static_cast<double>(state.total));
     const double share = state.total > 0 ? work / static_cast<double>(state.total) : 1.0;
     const auto filled = static_cast<std::size_t>(share * kBarColumns);
-    std::string line = "[" + std::string(filled, '#') + std::string(kBarColumns - filled, '.') + "] " +
-                       std::to_string(state.done) + " of " + std::to_string(state.total);
+    std::string line = "[" + std::string(filled, '#') + std::string(kBarColumns - filled, '.') + "] "
+                       + std::to_string(state.done) + " of " + std::to_string(state.total);
     if (work > 0.0 && state.seconds > 0.0) {
         const double rate = work / state.seconds;
-        line += ", " + formatNumber(rate, 2) + " files/s, " + timeLeft((static_cast<double>(state.total) - work) / rate);
+        line +=
+            ", " + formatNumber(rate, 2) + " files/s, " + timeLeft((static_cast<double>(state.total) - work) / rate);
     }
     return (line + ", " + printable(state.file)).substr(0, width);
 }

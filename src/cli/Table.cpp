@@ -27,7 +27,8 @@ std::string Table::text() const
     std::string text;
     for (const auto& row : mRows) {
         for (std::size_t column = 0; column < row.size(); ++column)
-            text += std::string(column > 0 ? 2 : 0, ' ') + std::string(widths[column] - row[column].size(), ' ') + row[column];
+            text += std::string(column > 0 ? 2 : 0, ' ') + std::string(widths[column] - row[column].size(), ' ')
+                    + row[column];
         text.erase(text.find_last_not_of(' ') + 1);
         text += '\n';
     }
@@ -37,7 +38,8 @@ std::string Table::text() const
 std::string printable(const std::string& text)
 {
     std::string safe = text;
-    std::replace_if(safe.begin(), safe.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+    std::replace_if(
+        safe.begin(), safe.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
     return safe;
 }
 

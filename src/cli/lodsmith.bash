@@ -2,7 +2,7 @@
 
 _lodsmith() {
     local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]}
-    local write="--output --force --mesh-version --endian --time-limit --help" options files="@(mesh)"
+    local write="--output --force --mesh-version --endian --time-limit --help" options files="*.mesh"
     COMPREPLY=()
 
     if ((COMP_CWORD == 1)); then
@@ -33,7 +33,7 @@ _lodsmith() {
     fi
     [[ ${COMP_WORDS[1]} == import ]] && files="*"
     compopt -o filenames 2>/dev/null
-    mapfile -t COMPREPLY < <(compgen -d -- "$word"; shopt -q extglob || shopt -s extglob; compgen -f -X "!*.$files" -- "$word")
+    mapfile -t COMPREPLY < <(compgen -d -- "$word"; compgen -f -X "!$files" -- "$word")
 }
 
 complete -F _lodsmith lodsmith

@@ -46,7 +46,7 @@ public:
 private:
     Source sourceOf(std::uint32_t wedge) const
     {
-        return {&mView.vertexBuffers[mMesh.bufferOf(wedge)], mMesh.wedgeSource[wedge]};
+        return {&mView.vertexBuffers[mView.subMeshes[mMesh.subMeshOfWedge(wedge)].vertexBuffer], mMesh.wedgeSource[wedge]};
     }
 
     void planChannels()

@@ -1,6 +1,7 @@
 #include "CollapseCheck.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace lodsmith {
 
@@ -99,7 +100,7 @@ bool CollapseCheck::keepsLinkAtHub(const OneRing& ring, std::uint32_t neighbour)
             continue;
         const std::uint32_t other = ring.neighbours[i].vertex;
         if (mMesh.vertices[other].liveFaces > OneRing::kMaxFaces)
-            return false;
+            return false; // two hubs
         const bool apex = isApex(ring, neighbour, i);
         mMesh.compactFaceList(other);
         const std::uint32_t* list = mMesh.faceList(other);
@@ -131,22 +132,30 @@ bool CollapseCheck::keepsEdgesManifold(const OneRing& ring, std::uint32_t neighb
         std::uint32_t between = 0; // faces on the edge with this apex
         for (std::uint32_t k = 0; k < ring.faceCount; ++k)
             between += ring.contains(ring.faces[k], neighbour) && ring.contains(ring.faces[k], i);
-        const std::uint32_t apex = ring.neighbours[i].vertex;
-        if (mMesh.vertices[apex].liveFaces > OneRing::kMaxFaces)
+        const std::uint32_t there = facesBetween(destination, ring.neighbours[i].vertex);
+        if (there == kNone)
             return false;
-        mMesh.compactFaceList(apex);
-        const std::uint32_t* list = mMesh.faceList(apex);
-        std::uint32_t there = 0; // faces on the edge from destination to apex
-        for (std::uint32_t k = 0; k < mMesh.vertices[apex].liveFaces; ++k) {
-            const CollapseMesh::Face& face = mMesh.faces[list[k]];
-            for (std::uint32_t wedge : face.wedge)
-                there += mMesh.vertexOf(wedge) == destination;
-        }
         const std::uint32_t after = ring.neighbours[i].faces + there - 2 * between;
         if (after == 0 || after > std::max({2u, std::uint32_t{ring.neighbours[i].faces}, there}))
             return false;
     }
     return true;
+}
+
+/// Faces on an edge; kNone when both ends have too many to look through.
+std::uint32_t CollapseCheck::facesBetween(std::uint32_t a, std::uint32_t b) const
+{
+    if (mMesh.vertices[a].liveFaces > mMesh.vertices[b].liveFaces)
+        std::swap(a, b);
+    if (mMesh.vertices[a].liveFaces > OneRing::kMaxFaces)
+        return kNone;
+    mMesh.compactFaceList(a);
+    const std::uint32_t* list = mMesh.faceList(a);
+    std::uint32_t count = 0;
+    for (std::uint32_t i = 0; i < mMesh.vertices[a].liveFaces; ++i)
+        for (std::uint32_t wedge : mMesh.faces[list[i]].wedge)
+            count += mMesh.vertexOf(wedge) == b;
+    return count;
 }
 
 } // namespace lodsmith

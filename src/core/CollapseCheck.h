@@ -24,6 +24,8 @@ private:
     bool keepsLinkAtHub(const OneRing& ring, std::uint32_t neighbour) const;
     bool keepsEdgesManifold(const OneRing& ring, std::uint32_t neighbour) const;
 
+    std::uint32_t facesBetween(std::uint32_t a, std::uint32_t b) const;
+
     CollapseMesh& mMesh;
     const std::vector<char>& mOnBorder;
 };

@@ -36,7 +36,7 @@ protected:
     static Candidate candidate(int neighbour, double cost)
     {
         constexpr double dearest = 1e30; // still a finite float
-        return {neighbour, static_cast<float>(std::min(cost, dearest))};
+        return {neighbour, static_cast<float>(cost < dearest ? cost : dearest)}; // a NaN, of absurd attributes, is dear too
     }
 };
 

@@ -11,12 +11,6 @@ constexpr std::uint32_t kListSlack = 2; // a collapse between vertices of ordina
 
 } // namespace
 
-std::uint32_t CollapseMesh::subMeshOf(std::uint32_t face) const
-{
-    const auto after = std::upper_bound(firstFaceOfSubMesh.begin(), firstFaceOfSubMesh.end(), face);
-    return static_cast<std::uint32_t>(after - firstFaceOfSubMesh.begin()) - 1;
-}
-
 double CollapseMesh::attributeDistance(std::uint32_t a, std::uint32_t b) const
 {
     if (a == b)
@@ -169,6 +163,15 @@ void CollapseMesh::compactAllFaceLists()
         packed.resize(vertex.firstFace + vertex.faceCapacity);
     }
     mFaceLists.swap(packed);
+}
+
+void CollapseMesh::raiseDeviation(std::uint32_t vertex, float deviation)
+{
+    compactFaceList(vertex);
+    for (std::uint32_t i = 0; i < vertices[vertex].faceSlots; ++i) {
+        Face& face = faces[faceList(vertex)[i]];
+        face.deviation = std::max(face.deviation, deviation);
+    }
 }
 
 void CollapseMesh::removeFace(std::uint32_t number)

@@ -16,7 +16,7 @@ constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
 /// The mesh while it is being collapsed: welded vertices, their wedges, and triangles over wedges.
 ///
-/// A vertex is a position; a wedge is one set of attributes at it, in one vertex buffer. The first wedge of vertex v has
+/// A vertex is a position; a wedge is one set of attributes at it, in one submesh. The first wedge of vertex v has
 /// number v, further ones are numbered from vertexCount() on. Positions are scaled by a power of two (exactly) so that
 /// the bounding radius lies in [0.5, 1). Faces keep their numbers for good, so that those of a submesh are a range.
 class CollapseMesh {
@@ -51,9 +51,9 @@ public:
     }
     bool isAlive(std::uint32_t vertex) const { return vertices[vertex].liveFaces != 0; }
     bool isGone(const Face& face) const { return face.wedge[0] == kNone; }
-    std::uint32_t bufferOf(std::uint32_t wedge) const { return wedgeBuffer.empty() ? 0 : wedgeBuffer[wedge]; }
+    std::uint32_t subMeshOfWedge(std::uint32_t wedge) const { return wedgeSubMesh.empty() ? 0 : wedgeSubMesh[wedge]; }
+    std::uint32_t subMeshOf(const Face& face) const { return subMeshOfWedge(face.wedge[0]); }
     std::uint32_t motionOf(std::uint32_t wedge) const { return wedgeMotion.empty() ? 0 : wedgeMotion[wedge]; }
-    std::uint32_t subMeshOf(std::uint32_t face) const;
     const float* attributesOf(std::uint32_t wedge) const { return attributes.data() + std::size_t{wedge} * attributeStride; }
 
     /// Squared, between two wedges.
@@ -82,6 +82,9 @@ public:
     /// Gives the remaining faces of a vertex to another; the first is gone with that.
     void moveFaces(std::uint32_t from, std::uint32_t to, const std::uint32_t* moved, std::uint32_t count);
 
+    /// Lets the faces of a vertex have at least this bound on their deviation.
+    void raiseDeviation(std::uint32_t vertex, float deviation);
+
     /// Takes a face out; vertices left without a face are gone with it.
     void removeFace(std::uint32_t face);
 
@@ -92,7 +95,7 @@ public:
     std::vector<std::uint32_t> extraWedgeVertex; ///< vertex of wedge vertexCount() + i
     std::vector<std::uint32_t> nextWedge;        ///< next wedge at the same vertex, or kNone
     std::vector<std::uint32_t> wedgeSource;      ///< index in its vertex buffer
-    std::vector<std::uint32_t> wedgeBuffer;      ///< vertex buffer; empty when there is only one
+    std::vector<std::uint32_t> wedgeSubMesh;     ///< submesh; empty when there is only one
     std::vector<std::uint32_t> wedgeMotion;      ///< equal where wedges of a vertex move together; empty when all do
     std::vector<float> importance;               ///< of each vertex, 0..1; empty when all are 0
 

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kLeastBend = 0.001; // so that on a flat surface short edges go first
 constexpr double kOffBorder = 1.0;   // leaving a border costs as much as a right angle and more
+constexpr double kOffSeam = 1.0;     // in 2012 the bounding radius, which made the result depend on the unit of length
 
 Vec3 normalOf(const CollapseMesh::Face& face)
 {
@@ -73,7 +74,7 @@ double CurvatureCost::seamPenalty(std::uint32_t neighbour) const
     if (!mRing->isSeam)
         return 0.0;
     const bool toSeam = mMesh->vertices[mRing->neighbours[neighbour].vertex].hasSeam;
-    return toSeam ? 0.5 * mMesh->summary.radius : mMesh->summary.radius;
+    return toSeam ? 0.5 * kOffSeam : kOffSeam;
 }
 
 } // namespace lodsmith

@@ -32,16 +32,18 @@ void PatchDeviation::evaluate(const OneRing& ring, const CollapseMesh& mesh, std
     }
     const double simple = before + length(ring.neighbours[neighbour].edge);
     std::fill(mAfter, mAfter + ring.faceCount, simple);
-    if (!evaluateFans(neighbour))
+    mLost = 0.0;
+    if (!evaluateFans(neighbour)) {
         std::fill(mAfter, mAfter + ring.faceCount, simple);
-    mLargest = 0.0;
+        mLost = simple;
+    }
+    mLost = std::min(mLost, simple);
+    mLargest = mLost;
     for (std::uint32_t i = 0; i < ring.faceCount; ++i)
         if (!ring.contains(ring.faces[i], neighbour)) {
             mAfter[i] = std::min(mAfter[i], simple);
             mLargest = std::max(mLargest, mAfter[i]);
         }
-    if (ring.neighbours[neighbour].faces == ring.faceCount)
-        mLargest = simple;
 }
 
 /// False when the faces around the vertex are neither one fan nor the two faces of a wall.
@@ -175,8 +177,10 @@ bool PatchDeviation::evaluateCut(const Fan& fan, std::uint32_t cut)
                 half.spokes[half.count++] = fan.spokes[i];
             }
         }
-        if (half.count < 3)
-            continue; // nothing but a face that goes
+        if (half.count < 3) {
+            mLost = std::max(mLost, mBefore[half.faces[0]] + shift);
+            continue;
+        }
         if (!project(half, centre))
             return false;
         // The vertex lies on the last new face's side, so that all old faces touch that one there.

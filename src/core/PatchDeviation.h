@@ -19,6 +19,9 @@ public:
     double of(std::uint32_t i) const { return mAfter[i]; }
     double largest() const { return mLargest; }
 
+    /// Bound of what is left of faces that go without one that takes their place: an edge of the destination. 0 for none.
+    double lost() const { return mLost; }
+
 private:
     /// Part of the ring in winding order: face i lies between spokes i and i + 1. Spoke 0 is the destination.
     struct Fan {
@@ -46,6 +49,7 @@ private:
     double mBefore[OneRing::kMaxFaces]; ///< bound of each ring face before
     double mAfter[OneRing::kMaxFaces];
     double mLargest = 0.0;
+    double mLost = 0.0;
     double mU[OneRing::kMaxNeighbours], mV[OneRing::kMaxNeighbours], mZ[OneRing::kMaxNeighbours]; ///< spokes' ends in the plane, and above it
     double mOld[OneRing::kMaxFaces];        ///< of the fan's faces: bound before
     double mCovered[OneRing::kMaxFaces];    ///< ... largest bound of what it covers afterwards

@@ -15,6 +15,7 @@ constexpr double kBorderWeight = 1.0;   // of a border's constraint plane agains
 constexpr double kMaterialWeight = 0.5; // ... of each side of a border between submeshes
 constexpr double kSeamWeight = 0.5;     // ... of each side of a seam across which attributes jump by an edge length or more
 constexpr double kShortEdge = 1e-9;     // share of area * length^2: among flat choices the shortest edge wins
+constexpr double kFarthest = 4.0;        // a face's attributes are continued no farther than this many of its edges
 constexpr double kThinnest = 0.1;       // slivers below this height to length do not steepen their gradients further
 
 Vec3 normalOf(const CollapseMesh::Face& face)
@@ -105,8 +106,9 @@ double QuadricCost::wedgeCost(const Vec3& edge, const double* along, std::uint32
     const Vec3 &second = mRing->neighbours[behind->second].edge, &third = mRing->neighbours[behind->third].edge;
     const Vec3 across = cross(edge, normalOf(face));
     const double inverse = 1.0 / std::max(2.0 * face.area, kThinnest * std::max(lengthSquared(second), lengthSquared(third)));
-    return area * mMesh->secondDifference(wedge, target, behind->wedge[1], static_cast<float>(dot(across, third) * inverse),
-                                          behind->wedge[2], static_cast<float>(-dot(across, second) * inverse));
+    const auto bounded = [](double t) { return static_cast<float>(std::clamp(t, -kFarthest, kFarthest)); };
+    return area * mMesh->secondDifference(wedge, target, behind->wedge[1], bounded(dot(across, third) * inverse),
+                                          behind->wedge[2], bounded(-dot(across, second) * inverse));
 }
 
 /// Planes upright on the faces along borders, submesh borders and seams. The cross product carries the edge's length, so
@@ -119,7 +121,7 @@ void QuadricCost::addConstraints()
         double weight = 0.0;
         if (&first == &last)
             weight = kBorderWeight;
-        else if (manySubMeshes && mMesh->subMeshOf(first.face) != mMesh->subMeshOf(last.face))
+        else if (manySubMeshes && mMesh->subMeshOfWedge(first.wedge[0]) != mMesh->subMeshOfWedge(last.wedge[0]))
             weight = kMaterialWeight;
         else if (first.wedge[0] != last.wedge[0] || mRing->wedgeOf(first, i) != mRing->wedgeOf(last, i))
             weight = seamWeight(first, last, i);

@@ -1,12 +1,20 @@
 #include "Simplifier.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace lodsmith {
 
 namespace {
 
 constexpr std::uint32_t kCacheSize = 8192; // vertices of a mesh that fits the second-level cache whole
+
+float roundUp(double bound)
+{
+    const auto rounded = static_cast<float>(bound);
+    return rounded < bound ? std::nextafter(rounded, std::numeric_limits<float>::max()) : rounded;
+}
 
 } // namespace
 
@@ -44,7 +52,7 @@ void Simplifier::dropRepeatedFaces()
         for (std::uint32_t k = 0; k < i; ++k) {
             const OneRing::RingFace &first = mRing.faces[k], &second = mRing.faces[i];
             if (first.second == second.second && first.third == second.third && !mMesh.isGone(mMesh.faces[second.face]) &&
-                mMesh.subMeshOf(first.face) == mMesh.subMeshOf(second.face))
+                mMesh.subMeshOfWedge(first.wedge[0]) == mMesh.subMeshOfWedge(second.wedge[0]))
                 mMesh.removeFace(second.face);
         }
     if (mMesh.liveFaces == before)
@@ -181,11 +189,14 @@ void Simplifier::moveFaces(std::uint32_t neighbour)
         }
         CollapseMesh::Face& face = mMesh.faces[ringFace.face];
         face.wedge[ringFace.corner] = mWedges(ringFace.wedge[0]);
-        face.deviation = static_cast<float>(mPatchDeviation.of(i));
+        face.deviation = roundUp(mPatchDeviation.of(i));
         mMesh.updatePlane(face);
         moved[count++] = ringFace.face;
     }
-    mMesh.moveFaces(mRing.vertex, mRing.neighbours[neighbour].vertex, moved, count);
+    const std::uint32_t destination = mRing.neighbours[neighbour].vertex;
+    mMesh.moveFaces(mRing.vertex, destination, moved, count);
+    if (mPatchDeviation.lost() > 0.0)
+        mMesh.raiseDeviation(destination, roundUp(mPatchDeviation.lost()));
 }
 
 void Simplifier::touchRing()

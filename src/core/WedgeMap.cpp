@@ -8,10 +8,10 @@ bool WedgeMap::build(const CollapseMesh& mesh, const OneRing& ring, std::uint32_
     mCount = 1;
     mFrom[0] = ring.faces[0].wedge[0];
     mTo[0] = destination;
-    if (!ring.isSeam && !mesh.vertices[destination].hasSeam)
-        return mesh.bufferOf(mFrom[0]) == mesh.bufferOf(destination);
     if (!mesh.wedgeMotion.empty() && !motionAllows(mesh, ring, neighbour))
         return false;
+    if (!ring.isSeam && !mesh.vertices[destination].hasSeam)
+        return mesh.subMeshOfWedge(mFrom[0]) == mesh.subMeshOfWedge(destination);
     mCount = 0;
     for (std::uint32_t i = 0; i < ring.faceCount; ++i) {
         const std::uint32_t wedge = ring.faces[i].wedge[0];
@@ -39,7 +39,7 @@ std::uint32_t WedgeMap::matched(const CollapseMesh& mesh, const OneRing& ring, s
         if (face.wedge[0] != wedge || !ring.contains(face, neighbour))
             continue;
         const std::uint32_t there = face.second == neighbour ? face.wedge[1] : face.wedge[2];
-        if (mesh.bufferOf(there) != mesh.bufferOf(wedge))
+        if (mesh.subMeshOfWedge(there) != mesh.subMeshOfWedge(wedge))
             continue;
         if (best == kNone || (best != there && mesh.attributeDistance(wedge, there) < mesh.attributeDistance(wedge, best)))
             best = there;
@@ -52,7 +52,7 @@ std::uint32_t WedgeMap::nearest(const CollapseMesh& mesh, std::uint32_t vertex, 
     std::uint32_t best = kNone;
     double bestDistance = 0.0;
     for (std::uint32_t there = vertex; there != kNone; there = mesh.nextWedge[there]) {
-        if (mesh.bufferOf(there) != mesh.bufferOf(wedge))
+        if (mesh.subMeshOfWedge(there) != mesh.subMeshOfWedge(wedge))
             continue;
         const double distance = mesh.attributeDistance(wedge, there);
         if (best == kNone || distance < bestDistance) {
@@ -63,27 +63,18 @@ std::uint32_t WedgeMap::nearest(const CollapseMesh& mesh, std::uint32_t vertex, 
     return best;
 }
 
-/// Where wedges of one position move apart, a collapse has to run along that split on every side of it: each face must
-/// reach the destination through faces of its own motion.
+/// Where wedges of one position move apart, the split between them is left along itself only, and its ends stay.
 bool WedgeMap::motionAllows(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour)
 {
-    const auto destinationOf = [&](std::uint32_t motion) {
-        std::uint32_t found = kNone;
-        for (std::uint32_t i = 0; i < ring.faceCount; ++i) {
-            const OneRing::RingFace& face = ring.faces[i];
-            if (!ring.contains(face, neighbour) || mesh.motionOf(face.wedge[0]) != motion)
-                continue;
-            const std::uint32_t there = mesh.motionOf(face.second == neighbour ? face.wedge[1] : face.wedge[2]);
-            if (found != kNone && found != there)
-                return kNone;
-            found = there;
-        }
-        return found;
+    const auto isSplit = [&](std::uint32_t i) {
+        const OneRing::RingFace &a = ring.faces[ring.neighbours[i].firstFace], &b = ring.faces[ring.neighbours[i].lastFace];
+        return mesh.motionOf(a.wedge[0]) != mesh.motionOf(b.wedge[0]) ||
+               mesh.motionOf(ring.wedgeOf(a, i)) != mesh.motionOf(ring.wedgeOf(b, i));
     };
-    for (std::uint32_t i = 0; i < ring.faceCount; ++i)
-        if (destinationOf(mesh.motionOf(ring.faces[i].wedge[0])) == kNone)
-            return false;
-    return true;
+    std::uint32_t splits = 0;
+    for (std::uint32_t i = 0; i < ring.neighbourCount; ++i)
+        splits += isSplit(i);
+    return splits == 0 || (splits == 2 && isSplit(neighbour));
 }
 
 } // namespace lodsmith

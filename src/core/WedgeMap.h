@@ -7,8 +7,8 @@ namespace lodsmith {
 /// Which wedge of the destination each wedge of a collapsing vertex becomes.
 ///
 /// A wedge that shares a face with the destination goes where that face says, so that both sides of a seam that runs
-/// along the edge stay on their side. Any other takes the nearest wedge of its own vertex buffer at the destination;
-/// but never one that moves differently (closed lips), and never one of another buffer.
+/// along the edge stay on their side. Any other takes the nearest wedge of its own submesh at the destination.
+/// Across a split of motion (closed lips) nothing collapses.
 class WedgeMap {
 public:
     /// False when some wedge has nowhere to go.

@@ -11,7 +11,7 @@ namespace lodsmith {
 
 namespace {
 
-constexpr float kLargestCoordinate = 1e18f; // squares and products of two stay well inside a double, sums inside a float
+constexpr float kLargest = 1e18f; // squares of positions and attributes stay inside a float
 constexpr float kBoneTolerance = 1.0f / 256.0f; // what exporters round away
 constexpr std::uint32_t kExtra = 0x80000000u;   // marks a further wedge while the number of vertices is not known yet
 
@@ -100,13 +100,18 @@ bool sameAttributes(const VertexBufferView& buffer, std::uint32_t a, std::uint32
                        [&](const UvStream& uv) { return sameTuple(uv.stream, a, b, uv.components); });
 }
 
-bool finiteTuple(const FloatStream& stream, std::uint32_t index, int count)
+bool isUsable(float value)
+{
+    return std::abs(value) <= kLargest; // not so for a NaN
+}
+
+bool usableTuple(const FloatStream& stream, std::uint32_t index, int count)
 {
     if (!stream)
         return true;
     float v[4];
     stream.read(index, count, v);
-    return std::all_of(v, v + count, [](float f) { return std::isfinite(f); });
+    return std::all_of(v, v + count, isUsable);
 }
 
 class Welder {
@@ -192,10 +197,13 @@ private:
                          "index " + std::to_string(index) + " in a buffer of " + std::to_string(buffer.vertexCount) + " vertices",
                          {}, -1, subMeshNumber, at};
         std::uint32_t& known = mWedgeOf[subMesh.vertexBuffer][index];
+        const auto number = static_cast<std::uint32_t>(subMeshNumber);
         if (known == kNone) {
             if (const char* trouble = troubleWith(buffer, index))
                 return Error{ErrorCode::InvalidGeometry, trouble, {}, -1, subMeshNumber, index};
-            known = addBufferVertex(subMesh.vertexBuffer, index);
+            known = addBufferVertex(number, index);
+        } else if (record(known).subMesh != number) {
+            known = addToVertex(provisionalVertexOf(known), number, index); // shared with an earlier submesh
         }
         wedge = known;
         return std::nullopt;
@@ -203,26 +211,22 @@ private:
 
     static const char* troubleWith(const VertexBufferView& buffer, std::uint32_t index)
     {
-        for (float coordinate : readPosition(buffer, index)) {
-            if (!std::isfinite(coordinate))
-                return "a position is not finite";
-            if (std::abs(coordinate) > kLargestCoordinate)
-                return "a position is beyond +-1e18";
-        }
-        if (!finiteTuple(buffer.normals, index, 3))
-            return "a normal is not finite";
-        if (!finiteTuple(buffer.colours, index, 4))
-            return "a colour is not finite";
+        if (!usableTuple(buffer.positions, index, 3))
+            return "a position is not finite, or beyond +-1e18";
+        if (!usableTuple(buffer.normals, index, 3))
+            return "a normal is not finite, or beyond +-1e18";
+        if (!usableTuple(buffer.colours, index, 4))
+            return "a colour is not finite, or beyond +-1e18";
         for (const UvStream& uv : buffer.uvSets)
-            if (!finiteTuple(uv.stream, index, uv.components))
-                return "a texture coordinate is not finite";
+            if (!usableTuple(uv.stream, index, uv.components))
+                return "a texture coordinate is not finite, or beyond +-1e18";
         for (const FloatStream& offset : buffer.offsets)
-            if (!finiteTuple(offset, index, 3))
-                return "a pose offset is not finite";
+            if (!usableTuple(offset, index, 3))
+                return "a pose offset is not finite, or beyond +-1e18";
         if (buffer.bones)
             for (float weight : buffer.bones[index].weight)
-                if (!std::isfinite(weight))
-                    return "a bone weight is not finite";
+                if (!isUsable(weight))
+                    return "a bone weight is not finite, or beyond +-1e18";
         if (buffer.importance) {
             float importance;
             buffer.importance.read(index, 1, &importance);
@@ -233,33 +237,33 @@ private:
     }
 
     /// Wedge of a buffer vertex that is met for the first time.
-    std::uint32_t addBufferVertex(std::uint32_t buffer, std::uint32_t index)
+    std::uint32_t addBufferVertex(std::uint32_t subMesh, std::uint32_t index)
     {
-        const Position position = readPosition(mView.vertexBuffers[buffer], index);
+        const Position position = readPosition(bufferOf(subMesh), index);
         std::size_t slot = hashOf(position) & (mSlots.size() - 1);
         while (mSlots[slot] != kNone && std::memcmp(mMesh.vertices[mSlots[slot]].position, position.data(), sizeof position) != 0)
             slot = (slot + 1) & (mSlots.size() - 1);
         if (mSlots[slot] != kNone)
-            return addToVertex(mSlots[slot], buffer, index);
+            return addToVertex(mSlots[slot], subMesh, index);
         const std::uint32_t vertex = mMesh.vertexCount();
         mSlots[slot] = vertex;
         CollapseMesh::Vertex record{};
         std::copy(position.begin(), position.end(), record.position);
         mMesh.vertices.push_back(record);
-        mFirst.push_back({buffer, index, kNone, vertex});
-        noteImportance(vertex, buffer, index);
+        mFirst.push_back({subMesh, index, kNone, vertex});
+        noteImportance(vertex, subMesh, index);
         return vertex;
     }
 
-    std::uint32_t addToVertex(std::uint32_t vertex, std::uint32_t buffer, std::uint32_t index)
+    std::uint32_t addToVertex(std::uint32_t vertex, std::uint32_t subMesh, std::uint32_t index)
     {
-        noteImportance(vertex, buffer, index);
-        const BufferVertex added{&mView.vertexBuffers[buffer], index};
+        noteImportance(vertex, subMesh, index);
+        const BufferVertex added{&bufferOf(subMesh), index};
         std::uint32_t motion = kNone, last = vertex;
         for (std::uint32_t wedge = vertex; wedge != kNone; wedge = record(wedge).next) {
             const WedgeRecord& other = record(wedge);
-            const bool together = sameMotion({&mView.vertexBuffers[other.buffer], other.index}, added, mMotionTolerance);
-            if (together && other.buffer == buffer && sameAttributes(*added.buffer, other.index, index))
+            const bool together = sameMotion({&bufferOf(other.subMesh), other.index}, added, mMotionTolerance);
+            if (together && other.subMesh == subMesh && sameAttributes(*added.buffer, other.index, index))
                 return wedge;
             if (together && motion == kNone)
                 motion = other.motion;
@@ -269,14 +273,16 @@ private:
         record(last).next = wedge;
         mMesh.vertices[vertex].hasSeam = true;
         mSplitMotion |= motion == kNone;
-        mExtra.push_back({buffer, index, kNone, motion == kNone ? wedge : motion});
+        mExtra.push_back({subMesh, index, kNone, motion == kNone ? wedge : motion});
         mMesh.extraWedgeVertex.push_back(vertex);
         return wedge;
     }
 
-    void noteImportance(std::uint32_t vertex, std::uint32_t buffer, std::uint32_t index)
+    const VertexBufferView& bufferOf(std::uint32_t subMesh) const { return mView.vertexBuffers[mView.subMeshes[subMesh].vertexBuffer]; }
+
+    void noteImportance(std::uint32_t vertex, std::uint32_t subMesh, std::uint32_t index)
     {
-        const FloatStream& stream = mView.vertexBuffers[buffer].importance;
+        const FloatStream& stream = bufferOf(subMesh).importance;
         if (!stream)
             return;
         float importance;
@@ -286,7 +292,7 @@ private:
     }
 
     struct WedgeRecord {
-        std::uint32_t buffer, index, next, motion;
+        std::uint32_t subMesh, index, next, motion;
     };
 
     WedgeRecord& record(std::uint32_t wedge) { return wedge & kExtra ? mExtra[wedge & ~kExtra] : mFirst[wedge]; }
@@ -315,13 +321,13 @@ private:
     template <class Number>
     void fillWedges(const Number& number)
     {
-        const bool manyBuffers = mView.vertexBuffers.size() > 1;
+        const bool manySubMeshes = mView.subMeshes.size() > 1;
         for (const auto* records : {&mFirst, &mExtra})
             for (const WedgeRecord& wedge : *records) {
                 mMesh.nextWedge.push_back(number(wedge.next));
                 mMesh.wedgeSource.push_back(wedge.index);
-                if (manyBuffers)
-                    mMesh.wedgeBuffer.push_back(wedge.buffer);
+                if (manySubMeshes)
+                    mMesh.wedgeSubMesh.push_back(wedge.subMesh);
                 if (mSplitMotion)
                     mMesh.wedgeMotion.push_back(number(wedge.motion));
             }

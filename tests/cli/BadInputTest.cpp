@@ -32,7 +32,8 @@ protected:
     /// Runs generate over the test's directory "in", which ends in order whatever lies there.
     Outcome generateAll() const
     {
-        return runLodsmith({"generate", in("in"), "-o", in("out"), "--levels", kHalf, "--json", "-j", "4", "--time-limit", "20"});
+        return runLodsmith(
+            {"generate", in("in"), "-o", in("out"), "--levels", kHalf, "--json", "-j", "4", "--time-limit", "20"});
     }
 
     TestDirectory mDirectory;
@@ -60,12 +61,13 @@ TEST_F(BadInputTest, badFilesDoNotStopTheOthers)
     mDirectory.write("good.mesh", torusMesh(12));
     fs::create_directory(mDirectory / "empty-directory");
     const Outcome outcome =
-        runLodsmith({"generate", in("text.mesh"), in("empty.mesh"), in("gone.mesh"), in("empty-directory"), "/proc/self/mem",
-                     in("good.mesh"), "-o", in("out"), "--levels", kHalf, "--json"});
+        runLodsmith({"generate", in("text.mesh"), in("empty.mesh"), in("gone.mesh"), in("empty-directory"),
+                     "/proc/self/mem", in("good.mesh"), "-o", in("out"), "--levels", kHalf, "--json"});
     EXPECT_EQ(outcome.exitCode, 1);
     const auto records = outcome.records();
     ASSERT_EQ(records.size(), 6u);
-    const char* const complaints[] = {"no OGRE mesh", "is empty", "no such file", "holds no .mesh file", "cannot be read"};
+    const char* const complaints[] = {"no OGRE mesh", "is empty", "no such file", "holds no .mesh file",
+                                      "cannot be read"};
     for (std::size_t i = 0; i < 5; ++i) {
         EXPECT_THAT(records[i]["error"].get<std::string>(), HasSubstr(complaints[i]));
         EXPECT_THAT(outcome.err, HasSubstr("lodsmith: " + records[i]["error"].get<std::string>()));

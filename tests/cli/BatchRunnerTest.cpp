@@ -62,7 +62,8 @@ TEST(BatchRunner, aCrashIsAnErrorThatNamesFileAndSignalAndQuotesTheLastWords)
                                    }),
                                job("good.mesh", [](Progress&) { return sleepAndSay(0, "done"); })});
     ASSERT_EQ(outcomes.size(), 2u);
-    EXPECT_THAT(outcomes[0], testing::AllOf(HasSubstr("bad.mesh: "), HasSubstr("signal 6"), HasSubstr("Assertion `x' failed.")));
+    EXPECT_THAT(outcomes[0],
+                testing::AllOf(HasSubstr("bad.mesh: "), HasSubstr("signal 6"), HasSubstr("Assertion `x' failed.")));
     EXPECT_EQ(outcomes[1], "\"done\"");
 }
 
@@ -105,7 +106,8 @@ TEST(BatchRunner, errorsArriveWhole)
 
 TEST(BatchRunner, exceptionsAreErrors)
 {
-    EXPECT_EQ(run({job("a.mesh", [](Progress&) -> Result<Json> { throw std::runtime_error("odd"); })})[0], "a.mesh: odd");
+    EXPECT_EQ(run({job("a.mesh", [](Progress&) -> Result<Json> { throw std::runtime_error("odd"); })})[0],
+              "a.mesh: odd");
 }
 
 TEST(BatchRunner, longAnswersPassThroughThePipe)

@@ -39,7 +39,8 @@ protected:
 
 TEST_F(GenerateCommandTest, theRecordHoldsWhatIsPromised)
 {
-    const Outcome outcome = runLodsmith({"generate", torus("a.mesh"), "-o", in("b.mesh"), "--levels", kHalves, "--repeat", "3", "--json"});
+    const Outcome outcome =
+        runLodsmith({"generate", torus("a.mesh"), "-o", in("b.mesh"), "--levels", kHalves, "--repeat", "3", "--json"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     const std::vector<json> records = outcome.records();
     ASSERT_EQ(records.size(), 1u);
@@ -59,9 +60,10 @@ TEST_F(GenerateCommandTest, theRecordHoldsWhatIsPromised)
 
 TEST_F(GenerateCommandTest, theLevelsAreThoseOfTheRecord)
 {
-    const Outcome outcome = runLodsmith({"generate", torus("a.mesh"), "-o", in("b.mesh"), "--levels", kHalves, "--json"});
+    const Outcome outcome =
+        runLodsmith({"generate", torus("a.mesh"), "-o", in("b.mesh"), "--levels", kHalves, "--json"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
-    const json levels = outcome.records()[0]["levels"];
+    const json levels = outcome.records().at(0)["levels"];
     ASSERT_EQ(levels.size(), 3u);
     EXPECT_TRUE(levels[0]["value"].is_null());
     EXPECT_EQ(levels[1]["vertices"], kSegments * kSegments / 2);
@@ -74,7 +76,8 @@ TEST_F(GenerateCommandTest, theLevelsAreThoseOfTheRecord)
     ASSERT_EQ(mesh->getNumLodLevels(), 3);
     for (Ogre::ushort level = 1; level < 3; ++level) {
         EXPECT_EQ(mesh->getLodLevel(level).userValue, 10.0f * level);
-        EXPECT_EQ(mesh->getSubMesh(0)->mLodFaceList[level - 1]->indexCount, 3 * levels[level]["triangles"].get<std::size_t>());
+        EXPECT_EQ(mesh->getSubMesh(0)->mLodFaceList[level - 1]->indexCount,
+                  3 * levels[level]["triangles"].get<std::size_t>());
     }
     EXPECT_EQ(mesh->getSubMesh(0)->getMaterialName(), "Stone");
 }
@@ -83,7 +86,7 @@ TEST_F(GenerateCommandTest, automaticLevelsNeedNoOptions)
 {
     const Outcome outcome = runLodsmith({"generate", torus("a.mesh"), "-o", in("b.mesh"), "--json"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
-    const json record = outcome.records()[0];
+    const json record = outcome.records().at(0);
     EXPECT_EQ(record["strategy"], "pixel_count");
     EXPECT_EQ(record["levels"].size(), 5u);
 }
@@ -110,7 +113,8 @@ TEST_F(GenerateCommandTest, directoriesKeepTheirShapeAndOrder)
 {
     torus("in/b/x.mesh");
     torus("in/a/x.mesh");
-    const Outcome outcome = runLodsmith({"generate", in("in"), "-o", in("out"), "--levels", kHalves, "-j", "2", "--json"});
+    const Outcome outcome =
+        runLodsmith({"generate", in("in"), "-o", in("out"), "--levels", kHalves, "-j", "2", "--json"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     const auto records = outcome.records();
     ASSERT_EQ(records.size(), 2u);
@@ -125,7 +129,7 @@ TEST_F(GenerateCommandTest, nothingIsOverwrittenWithoutForce)
     const std::string mesh = torus("a.mesh"), before = contentOf(mesh);
     const Outcome kept = runLodsmith({"generate", mesh, "-o", mesh, "--levels", kHalves, "--json"});
     EXPECT_EQ(kept.exitCode, 1);
-    EXPECT_THAT(kept.records()[0]["error"].get<std::string>(), HasSubstr("--force"));
+    EXPECT_THAT(kept.records().at(0)["error"].get<std::string>(), HasSubstr("--force"));
     EXPECT_EQ(contentOf(mesh), before);
     EXPECT_EQ(runLodsmith({"generate", mesh, "-o", mesh, "--levels", kHalves, "--force"}).exitCode, 0);
     EXPECT_GT(contentOf(mesh).size(), before.size());
@@ -178,7 +182,7 @@ TEST_F(GenerateCommandTest, handMadeLevelsGoAlongUnderTheirOwnName)
     const Outcome outcome = runLodsmith(
         {"generate", torus("a.mesh"), "-o", in("out/"), "--levels", "10:proportional:0.5,50:mesh:" + box, "--json"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
-    const json level = outcome.records()[0]["levels"][2];
+    const json level = outcome.records().at(0)["levels"][2];
     EXPECT_EQ(level["manual"], "box.mesh");
     EXPECT_EQ(level["triangles"], test::torusTriangles(8));
     EXPECT_EQ(contentOf(in("out/box.mesh")), contentOf(box));
@@ -188,7 +192,8 @@ TEST_F(GenerateCommandTest, handMadeLevelsGoAlongUnderTheirOwnName)
 
 TEST_F(GenerateCommandTest, aHandMadeLevelThatIsMissingIsAnError)
 {
-    const Outcome outcome = runLodsmith({"generate", torus("a.mesh"), "-o", in("out/"), "--levels", "50:mesh:" + in("gone.mesh")});
+    const Outcome outcome =
+        runLodsmith({"generate", torus("a.mesh"), "-o", in("out/"), "--levels", "50:mesh:" + in("gone.mesh")});
     EXPECT_EQ(outcome.exitCode, 1);
     EXPECT_THAT(outcome.err, HasSubstr("lodsmith: " + in("gone.mesh") + ": no such file"));
     EXPECT_FALSE(fs::exists(in("out")));
@@ -196,8 +201,10 @@ TEST_F(GenerateCommandTest, aHandMadeLevelThatIsMissingIsAnError)
 
 TEST_F(GenerateCommandTest, formatOptionsReachTheFile)
 {
-    ASSERT_EQ(runLodsmith({"generate", torus("a.mesh"), "-o", in("b.mesh"), "--levels", kHalves, "--mesh-version", "1.8",
-                           "--endian", "big"}).exitCode, 0);
+    ASSERT_EQ(runLodsmith({"generate", torus("a.mesh"), "-o", in("b.mesh"), "--levels", kHalves, "--mesh-version",
+                           "1.8", "--endian", "big"})
+                  .exitCode,
+              0);
     const MeshHeader header = parseMeshHeader(contentOf(in("b.mesh"))).value();
     EXPECT_EQ(header.version, "1.8");
     EXPECT_TRUE(header.bigEndian);
@@ -213,8 +220,8 @@ TEST_F(GenerateCommandTest, twoRunsMakeTheSameBytes)
 
 TEST_F(GenerateCommandTest, outputThatCannotBeWrittenIsAFailure)
 {
-    const std::string command = std::string(LODSMITH_PROGRAM) + " generate " + torus("a.mesh") + " -o " + in("b.mesh") +
-                                " --json > /dev/full";
+    const std::string command =
+        std::string(LODSMITH_PROGRAM) + " generate " + torus("a.mesh") + " -o " + in("b.mesh") + " --json > /dev/full";
     EXPECT_EQ(test::runProgram({"sh", "-c", command}).exitCode, 1);
 }
 

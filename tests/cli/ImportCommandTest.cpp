@@ -79,7 +79,8 @@ TEST(ImportCommand, nodesAreAppliedAndMirroredOnesKeepTheirFront)
     EXPECT_EQ(corner(data.view(), 0, 0, 0), 10.0f);
     for (std::size_t subMesh = 0; subMesh < 2; ++subMesh) {
         const auto at = [&](std::size_t index, int axis) { return corner(data.view(), subMesh, index, axis); };
-        const float area = (at(1, 0) - at(0, 0)) * (at(2, 1) - at(0, 1)) - (at(1, 1) - at(0, 1)) * (at(2, 0) - at(0, 0));
+        const float area =
+            (at(1, 0) - at(0, 0)) * (at(2, 1) - at(0, 1)) - (at(1, 1) - at(0, 1)) * (at(2, 0) - at(0, 0));
         EXPECT_EQ(area, 1.0f) << "twice the triangle's area, positive when it faces +z";
     }
 }
@@ -93,7 +94,7 @@ TEST(ImportCommand, modelsWithoutTrianglesAndWhatIsNoModelAreRefused)
         {directory.write("odd.xyzzy", "hello\n"), "cannot be imported"},
         {directory.write("broken.gltf", "{"), "cannot be imported"},
         {(directory / "gone.obj").string(), "no such file"},
-        {directory.path().string(), "no regular file"},
+        {directory.path().string(), "is no regular file"},
     };
     for (const auto& [model, complaint] : wrong) {
         const Outcome outcome = runLodsmith({"import", model, "-o", (directory / "out.mesh").string()});
@@ -118,7 +119,9 @@ TEST(ImportCommand, whatIsImportedCanBeSimplified)
     const TestDirectory directory;
     const std::string mesh = (directory / "torus.mesh").string();
     ASSERT_EQ(runLodsmith({"import", directory.write("torus.obj", test::torusObj(12))}).exitCode, 0);
-    EXPECT_EQ(runLodsmith({"generate", mesh, "-o", (directory / "lod.mesh").string(), "--levels", "9:triangles:50"}).exitCode, 0);
+    EXPECT_EQ(
+        runLodsmith({"generate", mesh, "-o", (directory / "lod.mesh").string(), "--levels", "9:triangles:50"}).exitCode,
+        0);
 }
 
 } // namespace lodsmith::cli

@@ -48,7 +48,8 @@ TEST(InspectCommand, showsLevelsAndWhatIsMissing)
     const std::string mesh = directory.write("a.mesh", test::torusMesh(kSegments, "gone.skeleton"));
     const std::string box = directory.write("box.mesh", test::torusMesh(8));
     const std::string output = (directory / "out/a.mesh").string();
-    ASSERT_EQ(runLodsmith({"generate", mesh, "-o", output, "--levels", "10:proportional:0.5,30:mesh:" + box}).exitCode, 0);
+    ASSERT_EQ(runLodsmith({"generate", mesh, "-o", output, "--levels", "10:proportional:0.5,30:mesh:" + box}).exitCode,
+              0);
     const Outcome outcome = runLodsmith({"inspect", output});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("levels by distance_sphere"));

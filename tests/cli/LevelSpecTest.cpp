@@ -18,11 +18,12 @@ std::string messageOf(const std::string& text)
 
 TEST(LevelSpec, everyMethodHasItsTarget)
 {
-    const std::pair<const char*, LevelTarget::Kind> methods[] = {{"20:proportional:1", LevelTarget::Kind::Proportional},
-                                                                 {"20:constant:1", LevelTarget::Kind::Constant},
-                                                                 {"20:triangles:1", LevelTarget::Kind::Triangles},
-                                                                 {"20:deviation:1", LevelTarget::Kind::Deviation},
-                                                                 {"20:collapsecost:1", LevelTarget::Kind::CollapseCost}};
+    const std::pair<const char*, LevelTarget::Kind> methods[] = {
+        {"20:proportional:1", LevelTarget::Kind::Proportional},
+        {"20:constant:1", LevelTarget::Kind::Constant},
+        {"20:triangles:1", LevelTarget::Kind::Triangles},
+        {"20:deviation:1", LevelTarget::Kind::Deviation},
+        {"20:collapsecost:1", LevelTarget::Kind::CollapseCost}};
     for (const auto& [text, kind] : methods) {
         const Result<LevelSpec> level = parseLevelSpec(text);
         ASSERT_TRUE(level) << text;
@@ -43,9 +44,9 @@ TEST(LevelSpec, aFileNameMayHoldColons)
 TEST(LevelSpec, amountsOutsideTheirRangeAreRefused)
 {
     for (const char* text :
-         {"20:proportional:1.01", "20:proportional:-0.1", "20:proportional:nan", "20:proportional:0,5", "20:proportional:",
-          "20:constant:0.5", "20:constant:-1", "20:constant:4294967296", "20:triangles:1e3", "20:deviation:-1",
-          "20:deviation:inf", "20:collapsecost:1e999"})
+         {"20:proportional:1.01", "20:proportional:-0.1", "20:proportional:nan", "20:proportional:0,5",
+          "20:proportional:", "20:constant:0.5", "20:constant:-1", "20:constant:4294967296", "20:triangles:1e3",
+          "20:deviation:-1", "20:deviation:inf", "20:collapsecost:1e999"})
         EXPECT_THAT(messageOf(text), HasSubstr("is no amount")) << text;
 }
 

@@ -18,7 +18,9 @@ protected:
         const std::string mesh = mDirectory.write("a.mesh", test::torusMesh(24));
         mBox = mDirectory.write("box.mesh", test::torusMesh(8));
         EXPECT_EQ(runLodsmith({"generate", mesh, "-o", in("out/a.mesh"), "--levels",
-                               "10:proportional:0.5,20:proportional:0.75,30:mesh:" + mBox}).exitCode, 0);
+                               "10:proportional:0.5,20:proportional:0.75,30:mesh:" + mBox})
+                      .exitCode,
+                  0);
     }
 
     std::string in(const std::string& name) const { return (mDirectory / name).string(); }

@@ -54,17 +54,20 @@ TEST(MeshFile, wordsThatAreNoVersionsOrByteOrdersAreRefused)
 TEST(MeshFile, formatsWithoutLevelsRefuseMeshesThatHaveSome)
 {
     const TestDirectory directory;
+    const std::string path = directory.write("torus.mesh", torusMesh(8));
     OgreSession session;
-    const Ogre::MeshPtr mesh = session.load(directory.write("torus.mesh", torusMesh(8))).value();
+    const Ogre::MeshPtr mesh = session.load(path).value();
     mesh->_setLodInfo(2);
-    EXPECT_EQ(meshBytes(*mesh, {Ogre::MESH_VERSION_1_4, Ogre::Serializer::ENDIAN_NATIVE}).error().code, ErrorCode::Unsupported);
+    EXPECT_EQ(meshBytes(*mesh, {Ogre::MESH_VERSION_1_4, Ogre::Serializer::ENDIAN_NATIVE}).error().code,
+              ErrorCode::Unsupported);
 }
 
 TEST(MeshFile, vertexElementsThatOgreCannotTurnAreRefusedBeforeItDies)
 {
     const TestDirectory directory;
+    const std::string path = directory.write("torus.mesh", torusMesh(8));
     OgreSession session;
-    const Ogre::MeshPtr mesh = session.load(directory.write("torus.mesh", torusMesh(8))).value();
+    const Ogre::MeshPtr mesh = session.load(path).value();
     auto& declaration = *mesh->getSubMesh(0)->vertexData->vertexDeclaration;
     declaration.modifyElement(1, 0, 12, Ogre::VET_UBYTE4_NORM, Ogre::VES_DIFFUSE);
     const auto bytes = meshBytes(*mesh, {Ogre::MESH_VERSION_1_10, Ogre::Serializer::ENDIAN_BIG});
@@ -75,10 +78,11 @@ TEST(MeshFile, vertexElementsThatOgreCannotTurnAreRefusedBeforeItDies)
 TEST(MeshFile, materialNamesSurviveWithoutMaterialScripts)
 {
     const TestDirectory directory;
-    OgreSession session;
+    const std::string path = directory.write("a.mesh", torusMesh(8));
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
-    const Ogre::MeshPtr mesh = session.load(directory.write("a.mesh", torusMesh(8))).value();
+    OgreSession session;
+    const Ogre::MeshPtr mesh = session.load(path).value();
     const Ogre::MeshPtr again = session.load(directory.write("b.mesh", meshBytes(*mesh, {}).value())).value();
     EXPECT_EQ(again->getSubMesh(0)->getMaterialName(), "Stone");
     EXPECT_EQ(testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr(), "");
@@ -88,9 +92,9 @@ TEST(MeshFile, aSkeletonBesideTheMeshGoesAlong)
 {
     const TestDirectory directory;
     directory.write("sub/x.skeleton", "bones");
+    const std::string path = directory.write("torus.mesh", torusMesh(8, "sub/x.skeleton"));
     OgreSession session;
     std::vector<std::string> notes;
-    const std::string path = directory.write("torus.mesh", torusMesh(8, "sub/x.skeleton"));
     const auto companions = findSkeleton(*session.load(path).value(), path, notes);
     ASSERT_EQ(companions.size(), 1u);
     EXPECT_THAT(notes, IsEmpty());
@@ -109,10 +113,10 @@ TEST(MeshFile, skeletonNamesThatLeadOutsideAreLeftAlone)
     directory.write("outside.skeleton", "bones");
     directory.write("in/script.sh", "no skeleton");
     for (const std::string& name : {std::string("../outside.skeleton"), (directory / "outside.skeleton").string(),
-                                   std::string("a/../../outside.skeleton"), std::string("script.sh")}) {
+                                    std::string("a/../../outside.skeleton"), std::string("script.sh")}) {
+        const std::string path = directory.write("in/torus.mesh", torusMesh(8, name));
         OgreSession session;
         std::vector<std::string> notes;
-        const std::string path = directory.write("in/torus.mesh", torusMesh(8, name));
         EXPECT_THAT(findSkeleton(*session.load(path).value(), path, notes), IsEmpty()) << name;
         EXPECT_THAT(notes, ElementsAre(HasSubstr(name)));
     }
@@ -121,7 +125,8 @@ TEST(MeshFile, skeletonNamesThatLeadOutsideAreLeftAlone)
 TEST(MeshFile, nothingAppearsWhenACompanionIsMissing)
 {
     const TestDirectory directory;
-    EXPECT_FALSE(writeMeshFiles(directory / "out/x.mesh", "mesh", {{directory / "nothing", "nothing"}}, Existing::Keep));
+    EXPECT_FALSE(
+        writeMeshFiles(directory / "out/x.mesh", "mesh", {{directory / "nothing", "nothing"}}, Existing::Keep));
     EXPECT_THAT(directory.files(), IsEmpty());
 }
 

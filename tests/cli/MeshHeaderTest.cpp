@@ -42,7 +42,8 @@ TEST(MeshHeader, whatIsNoMeshIsSaidToBeNone)
     EXPECT_THAT(messageOf("hello, world"), HasSubstr("no OGRE mesh"));
     EXPECT_THAT(messageOf(std::string("\x00\x10", 2)), HasSubstr("no OGRE mesh"));
     EXPECT_THAT(messageOf(std::string("\x00\x10[Serializer_v1.80]\n", 21)), HasSubstr("no OGRE mesh"));
-    EXPECT_THAT(messageOf(std::string("\x00\x10", 2) + "[MeshSerializer_v" + std::string(1000, '1')), HasSubstr("no OGRE mesh"));
+    EXPECT_THAT(messageOf(std::string("\x00\x10", 2) + "[MeshSerializer_v" + std::string(1000, '1')),
+                HasSubstr("no OGRE mesh"));
 }
 
 TEST(MeshHeader, otherVersionsAreNamed)

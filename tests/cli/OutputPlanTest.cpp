@@ -22,7 +22,8 @@ protected:
     std::vector<std::string> outputs(const std::vector<std::string>& inputs, const std::string& output) const
     {
         std::vector<std::string> names;
-        for (const PlannedFile& file : planOutputs(inputs, output).value())
+        const auto plan = planOutputs(inputs, output);
+        for (const PlannedFile& file : plan.value())
             names.push_back(file.error ? "error" : file.output.lexically_relative(mDirectory.path()).string());
         return names;
     }

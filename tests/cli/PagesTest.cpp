@@ -56,8 +56,10 @@ TEST(Pages, completionOffersWhatFitsTheWord)
 {
     const std::string script = std::string(LODSMITH_CLI_SOURCES) + "/lodsmith.bash";
     const auto complete = [&](const std::string& words) {
-        return test::runProgram({"bash", "-c", "source '" + script + "'; COMP_WORDS=(" + words +
-                                                   "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _lodsmith; echo ${COMPREPLY[@]}"}).out;
+        return test::runProgram({"bash", "-c",
+                                 "source '" + script + "'; COMP_WORDS=(" + words
+                                     + "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _lodsmith; echo ${COMPREPLY[@]}"})
+            .out;
     };
     EXPECT_EQ(complete("lodsmith gen"), "generate\n");
     EXPECT_EQ(complete("lodsmith generate --metric ''"), "quadric curvature\n");

@@ -15,8 +15,8 @@ std::string torusObj(unsigned segments)
     const double step = 2.0 * std::acos(-1.0) / segments;
     for (unsigned i = 0; i < segments; ++i)
         for (unsigned j = 0; j < segments; ++j)
-            text << "v " << (2 + std::cos(j * step)) * std::cos(i * step) << ' ' << (2 + std::cos(j * step)) * std::sin(i * step)
-                 << ' ' << std::sin(j * step) << '\n';
+            text << "v " << (2 + std::cos(j * step)) * std::cos(i * step) << ' '
+                 << (2 + std::cos(j * step)) * std::sin(i * step) << ' ' << std::sin(j * step) << '\n';
     for (unsigned i = 0; i <= segments; ++i)
         for (unsigned j = 0; j <= segments; ++j)
             text << "vt " << double(i) / segments << ' ' << double(j) / segments << '\n';

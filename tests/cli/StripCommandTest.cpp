@@ -37,7 +37,8 @@ TEST(StripCommand, writesTheFormatsThatHoldNoLevels)
 {
     const TestDirectory directory;
     const std::string mesh = directory.write("a.mesh", test::torusMesh(12));
-    EXPECT_EQ(runLodsmith({"strip", mesh, "-o", (directory / "old.mesh").string(), "--mesh-version", "1.4"}).exitCode, 0);
+    EXPECT_EQ(runLodsmith({"strip", mesh, "-o", (directory / "old.mesh").string(), "--mesh-version", "1.4"}).exitCode,
+              0);
     EXPECT_EQ(contentOf(directory / "old.mesh").substr(2, 23), "[MeshSerializer_v1.40]\n");
 }
 

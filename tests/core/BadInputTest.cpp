@@ -139,8 +139,8 @@ TEST(BadInput, AnIndexIntoAnEmptyBufferIsNamed)
 
 TEST(BadInput, EmptyMeshes)
 {
-    const std::vector<LevelTarget> targets = {removedShare(0.5), removedVertices(7), keptTriangles(0), greatestDeviation(1),
-                                              dearestCollapse(1)};
+    const std::vector<LevelTarget> targets = {removedShare(0.5), removedVertices(7), keptTriangles(0),
+                                              greatestDeviation(1), dearestCollapse(1)};
     TestMesh noTriangles = makeGrid(4, 4);
     noTriangles.subMeshes[0].indices.clear();
     TestMesh noVertices;
@@ -239,11 +239,34 @@ TEST(BadInput, OnePositionFarFromTheRest)
     simplifyChecked(mesh.view(), {removedShare(0.5), removedShare(0.9)});
 }
 
+TEST(BadInput, TinyDetailOnALargeMesh)
+{
+    // Areas of the detail are zero to a float.
+    for (const TestMesh& mesh : {makeTerrain(8), makeSkinnedLips(4), makeUvSphere(8, 6), flatShaded(makeTorus(8, 6))}) {
+        for (const double factor : {1e-22, 1e-30})
+            simplifyChecked(joined(mesh, scaled(mesh, factor)).view(), {removedShare(0.5), removedShare(0.8)});
+    }
+}
+
+TEST(BadInput, OneVertexOfATinyMeshIsFarAway)
+{
+    // Lengths of 1e-30 and of 1 in one triangle: their ratios squared are no floats any more.
+    for (std::size_t vertex = 0; vertex < 25; ++vertex) {
+        TestMesh mesh = scaled(makeTerrain(4), 1e-30);
+        for (std::size_t i = 3 * vertex; i < 3 * vertex + 3; ++i)
+            mesh.buffers[0].positions[i] = 0.5f;
+        simplifyChecked(mesh.view(), {removedShare(0.5), removedShare(0.8)});
+    }
+}
+
 TEST(BadInput, ManyTrianglesAtOneVertex)
 {
-    const TestMesh mesh = makeFan(3000);
-    const LodChain chain = simplifyChecked(mesh.view(), {removedShare(0.5), removedShare(0.9)});
-    EXPECT_EQ(chain.levels[1].stop, StopReason::TargetReached);
+    for (const std::uint32_t triangles : {129u, 3000u}) {
+        const TestMesh mesh = makeFan(triangles);
+        const LodChain chain = simplifyChecked(mesh.view(), {removedShare(0.5), removedShare(0.9)});
+        EXPECT_EQ(chain.levels[0].stop, StopReason::TargetReached) << triangles;
+        EXPECT_EQ(chain.levels[1].stop, StopReason::TargetReached) << triangles;
+    }
 }
 
 TEST(BadInput, ManyTrianglesAtOneEdge)

@@ -40,8 +40,12 @@ inline std::string bytesOf(const LodChain& chain)
 {
     std::string bytes;
     const auto append = [&](const void* data, std::size_t size) { bytes.append(static_cast<const char*>(data), size); };
-    const std::uint32_t counts[] = {chain.vertices, chain.bufferVertices, chain.triangles, chain.cleaned.degenerateTriangles,
-                                    chain.cleaned.repeatedTriangles, chain.cleaned.unreferencedVertices};
+    const std::uint32_t counts[] = {chain.vertices,
+                                    chain.bufferVertices,
+                                    chain.triangles,
+                                    chain.cleaned.degenerateTriangles,
+                                    chain.cleaned.repeatedTriangles,
+                                    chain.cleaned.unreferencedVertices};
     append(counts, sizeof counts);
     append(&chain.radius, sizeof chain.radius);
     for (const LodChainLevel& level : chain.levels) {

@@ -117,7 +117,8 @@ TEST(Invariants, NoticeAFallingEulerCharacteristic)
     level.triangles = 16;
     level.deviation = 1.0;
     EXPECT_THAT(brokenInvariants(mesh.view(), kOneRemoved, {}, chain), Contains(HasSubstr("skipped is 0")));
-    EXPECT_THAT(brokenInvariants(mesh.view(), kOneRemoved, {}, chain), Contains(HasSubstr("Euler characteristic 0 at rest")));
+    EXPECT_THAT(brokenInvariants(mesh.view(), kOneRemoved, {}, chain),
+                Contains(HasSubstr("Euler characteristic 0 at rest")));
 }
 
 TEST(Invariants, NoticeANewNonManifoldEdge)

@@ -110,9 +110,8 @@ TEST(Lock, BordersStayWhenLocked)
     SimplifyOptions options;
     options.lockBorders = true;
     const LodChain chain = simplifyChecked(mesh.view(), {removedShare(0.5), removedShare(1.0)}, options);
-    EXPECT_EQ(countWhere(mesh, chain.levels[1], [](const Point& p) {
-                  return p[0] == 0.0 || p[0] == 1.0 || p[1] == 0.0 || p[1] == 1.0;
-              }),
+    EXPECT_EQ(countWhere(mesh, chain.levels[1],
+                         [](const Point& p) { return p[0] == 0.0 || p[0] == 1.0 || p[1] == 0.0 || p[1] == 1.0; }),
               64u);
     EXPECT_EQ(chain.levels[1].stop, StopReason::Locked);
 }

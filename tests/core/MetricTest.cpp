@@ -63,8 +63,8 @@ void expectApexCost(double height, Metric metric, double expected)
 {
     const TestMesh mesh = makePyramid(height);
     const SimplifyOptions options = geometryOptions(metric, true);
-    const LodChain chain = simplifyChecked(
-        mesh.view(), {dearestCollapse(expected * 0.999), dearestCollapse(expected * 1.001)}, options);
+    const LodChain chain =
+        simplifyChecked(mesh.view(), {dearestCollapse(expected * 0.999), dearestCollapse(expected * 1.001)}, options);
     EXPECT_TRUE(chain.levels[0].skipped) << "height " << height << " costs less than " << expected;
     EXPECT_EQ(chain.levels[0].stop, StopReason::TargetReached);
     EXPECT_EQ(chain.levels[1].vertices, 4u) << "height " << height << " costs more than " << expected;
@@ -75,7 +75,8 @@ void expectApexCost(double height, Metric metric, double expected)
 TEST(QuadricMetric, InsideOfAFlatGridCostsNothing)
 {
     const TestMesh mesh = makeGrid(8, 8, 8.0);
-    const LodChain chain = simplifyChecked(mesh.view(), {dearestCollapse(1e-3)}, geometryOptions(Metric::Quadric, true));
+    const LodChain chain =
+        simplifyChecked(mesh.view(), {dearestCollapse(1e-3)}, geometryOptions(Metric::Quadric, true));
     // From one vertex on a straight border not all others can be seen, so that a few inside may have to stay.
     EXPECT_LE(chain.levels[0].vertices, 32u + 4u) << "the border is locked, all else is free";
     EXPECT_LT(chain.levels[0].cost, 1e-3);
@@ -85,8 +86,8 @@ TEST(QuadricMetric, InsideOfAFlatGridCostsNothing)
 TEST(QuadricMetric, AFlatGridIsItsFourCorners)
 {
     const TestMesh mesh = makeGrid(8, 8, 8.0);
-    const LodChain chain = simplifyChecked(mesh.view(), {dearestCollapse(1e-2), greatestDeviation(0.5)},
-                                           geometryOptions(Metric::Quadric));
+    const LodChain chain =
+        simplifyChecked(mesh.view(), {dearestCollapse(1e-2), greatestDeviation(0.5)}, geometryOptions(Metric::Quadric));
     EXPECT_EQ(chain.levels[0].vertices, 4u) << "straight borders cost nothing, corners do";
     EXPECT_EQ(chain.levels[0].triangles, 2u);
     EXPECT_LT(chain.levels[0].deviation, 1e-5);
@@ -197,8 +198,8 @@ bool keepsStep(const TestMesh& mesh, const AttributeWeights& weights)
     const std::vector<float>& positions = mesh.buffers[0].positions;
     const std::vector<std::uint32_t>& indices = chain.levels[0].indices[0];
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-        const auto [low, high] = std::minmax(
-            {positions[3 * indices[i]], positions[3 * indices[i + 1]], positions[3 * indices[i + 2]]});
+        const auto [low, high] =
+            std::minmax({positions[3 * indices[i]], positions[3 * indices[i + 1]], positions[3 * indices[i + 2]]});
         if (low <= 4.0f && high >= 5.0f && (low < 4.0f || high > 5.0f))
             return false;
     }
@@ -303,7 +304,8 @@ TEST(CurvatureMetric, SeamsComeAfterTheSurfaceAroundThem)
     oneBuffer.subMeshes.pop_back();
     oneBuffer.buffers.pop_back();
 
-    const LodChain chain = simplifyChecked(oneBuffer.view(), {removedVertices(42)}, geometryOptions(Metric::Curvature, true));
+    const LodChain chain =
+        simplifyChecked(oneBuffer.view(), {removedVertices(42)}, geometryOptions(Metric::Curvature, true));
     std::size_t onSeam = 0;
     for (const Point& position : positionsIn(oneBuffer, chain.levels[0]))
         onSeam += position[0] == 4.0;
@@ -364,9 +366,8 @@ TEST_P(AnyMetric, FlatDetailGoesBeforeShape)
     EXPECT_LT(4 * flat, hilly);
 }
 
-INSTANTIATE_TEST_SUITE_P(Both, AnyMetric, testing::Values(Metric::Quadric, Metric::Curvature), [](const auto& info) {
-    return info.param == Metric::Quadric ? "Quadric" : "Curvature";
-});
+INSTANTIATE_TEST_SUITE_P(Both, AnyMetric, testing::Values(Metric::Quadric, Metric::Curvature),
+                         [](const auto& info) { return info.param == Metric::Quadric ? "Quadric" : "Curvature"; });
 
 } // namespace
 

@@ -47,7 +47,8 @@ RC_GTEST_PROP(Property, GarbageIsCleanedOrRefused, ())
     const Result<LodChain> result = simplify(view, made.targets, made.options);
     if (!result) {
         const ErrorCode code = result.error().code;
-        RC_ASSERT(code == ErrorCode::InvalidGeometry || code == ErrorCode::IndexOutOfRange || code == ErrorCode::InvalidSetting);
+        RC_ASSERT(code == ErrorCode::InvalidGeometry || code == ErrorCode::IndexOutOfRange
+                  || code == ErrorCode::InvalidSetting);
         RC_ASSERT(!result.error().message.empty());
         return;
     }

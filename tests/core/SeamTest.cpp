@@ -14,7 +14,8 @@ namespace {
 
 using namespace test;
 
-const std::vector<LevelTarget> kHalvings = {removedShare(0.5), removedShare(0.75), removedShare(0.875), removedShare(0.9375)};
+const std::vector<LevelTarget> kHalvings = {removedShare(0.5), removedShare(0.75), removedShare(0.875),
+                                            removedShare(0.9375)};
 
 Connectivity connectivityOf(const MeshView& view, Weld weld = Weld::Rest)
 {
@@ -50,25 +51,26 @@ TEST_P(ReachesTargets, WithEitherMetric)
         const LodChain chain = simplifyChecked(mesh.view(), kHalvings, options);
         for (std::size_t i = 0; i < kHalvings.size(); ++i) {
             EXPECT_EQ(chain.levels[i].stop, StopReason::TargetReached) << "level " << i + 1;
-            EXPECT_LE(chain.levels[i].vertices, std::ceil(chain.vertices * (1.0 - kHalvings[i].amount))) << "level " << i + 1;
+            EXPECT_LE(chain.levels[i].vertices, std::ceil(chain.vertices * (1.0 - kHalvings[i].amount)))
+                << "level " << i + 1;
         }
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, ReachesTargets,
-                         testing::Values(Shape{"SmoothSphere", makeUvSphere(24, 16)}, Shape{"Icosphere", makeIcosphere(3)},
-                                         Shape{"FlatShadedSphere", flatShaded(makeIcosphere(3))},
-                                         Shape{"FacetedTerrain", flatShaded(makeTerrain(16))},
-                                         Shape{"MixedWindingSphere", mixedWinding(makeIcosphere(3))},
-                                         Shape{"MixedWindingTerrain", mixedWinding(makeTerrain(16))},
-                                         Shape{"TwoSidedWall", makeTwoSidedWall(12)},
-                                         Shape{"FacetedTwoSidedWall", flatShaded(makeTwoSidedWall(12))},
-                                         Shape{"Cube", makeCube(8)}, Shape{"Torus", makeTorus(24, 12)},
-                                         Shape{"Tube", makeCylinder(24, 12)}, Shape{"SkinnedTube", makeSkinnedTube(24, 12)},
-                                         Shape{"ClosedLips", makeClosedLips(10)}, Shape{"SkinnedLips", makeSkinnedLips(10)},
-                                         Shape{"TwoMaterials", makeTwoMaterials(10, true)},
-                                         Shape{"TwoMaterialsInOwnBuffers", makeTwoMaterials(10, false)}),
-                         [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, ReachesTargets,
+    testing::Values(Shape{"SmoothSphere", makeUvSphere(24, 16)}, Shape{"Icosphere", makeIcosphere(3)},
+                    Shape{"FlatShadedSphere", flatShaded(makeIcosphere(3))},
+                    Shape{"FacetedTerrain", flatShaded(makeTerrain(16))},
+                    Shape{"MixedWindingSphere", mixedWinding(makeIcosphere(3))},
+                    Shape{"MixedWindingTerrain", mixedWinding(makeTerrain(16))},
+                    Shape{"TwoSidedWall", makeTwoSidedWall(12)},
+                    Shape{"FacetedTwoSidedWall", flatShaded(makeTwoSidedWall(12))}, Shape{"Cube", makeCube(8)},
+                    Shape{"Torus", makeTorus(24, 12)}, Shape{"Tube", makeCylinder(24, 12)},
+                    Shape{"SkinnedTube", makeSkinnedTube(24, 12)}, Shape{"ClosedLips", makeClosedLips(10)},
+                    Shape{"SkinnedLips", makeSkinnedLips(10)}, Shape{"TwoMaterials", makeTwoMaterials(10, true)},
+                    Shape{"TwoMaterialsInOwnBuffers", makeTwoMaterials(10, false)}),
+    [](const auto& info) { return info.param.name; });
 
 TEST(Seam, AClosedSurfaceWithSeamsStaysClosed)
 {

@@ -104,6 +104,23 @@ TEST(Target, DeviationIsKeptAndUsed)
     EXPECT_LT(chain.levels[2].vertices, chain.vertices / 2);
 }
 
+TEST(Target, DeviationAddsUpOverCornersCutOffOneAfterTheOther)
+{
+    // Strips that are eaten from their ends: each cut is short, what they remove together is not.
+    TestMesh strips;
+    for (int i = 0; i < 6; ++i)
+        strips = joined(strips, translated(makePatch(6, 1,
+                                                     [](double u, double v) {
+                                                         return Point{6 * u, v, 0.0};
+                                                     }),
+                                           0, 0, i));
+    simplifyChecked(strips.view(), {removedShare(0.5), removedShare(0.8), removedShare(1.0)});
+
+    TestMesh teeth = makeGrid(4, 1);
+    teeth.subMeshes[0].indices = {0, 1, 6, 1, 2, 7, 2, 3, 8, 2, 8, 7, 3, 4, 9, 3, 9, 8};
+    simplifyChecked(teeth.view(), {removedShare(0.5)});
+}
+
 TEST(Target, NoDeviationAllowedKeepsACurvedSurface)
 {
     const TestMesh mesh = makeIcosphere(2);
@@ -140,8 +157,8 @@ TEST(Target, AWeakerTargetAfterAStrongerOneIsSkipped)
 TEST(Target, AllKindsMixInOneChain)
 {
     const TestMesh mesh = makeTerrain(24);
-    simplifyChecked(mesh.view(), {removedVertices(10), greatestDeviation(0.001), removedShare(0.6), dearestCollapse(0.002),
-                                  keptTriangles(100)});
+    simplifyChecked(mesh.view(), {removedVertices(10), greatestDeviation(0.001), removedShare(0.6),
+                                  dearestCollapse(0.002), keptTriangles(100)});
 }
 
 TEST(Target, OnePassForAllLevelsGivesWhatSinglePassesGive)
@@ -184,8 +201,8 @@ TEST(Target, WeightsOutOfRangeAreAnError)
     const TestMesh mesh = makeGrid(4, 4);
     const float nan = std::numeric_limits<float>::quiet_NaN();
     for (const float bad : {nan, -0.1f, std::numeric_limits<float>::infinity()}) {
-        for (float AttributeWeights::*weight : {&AttributeWeights::normal, &AttributeWeights::uv, &AttributeWeights::colour,
-                                                &AttributeWeights::bone}) {
+        for (float AttributeWeights::*weight :
+             {&AttributeWeights::normal, &AttributeWeights::uv, &AttributeWeights::colour, &AttributeWeights::bone}) {
             SimplifyOptions options;
             options.weights.*weight = bad;
             const Result<LodChain> result = simplify(mesh.view(), {removedShare(0.5)}, options);

@@ -104,8 +104,8 @@ TEST(Weld, EqualAttributesAreNoSeam)
     split.subMeshes.resize(1);
     for (const std::uint32_t index : smooth.subMeshes[0].indices) {
         const TestBuffer& from = smooth.buffers[0];
-        split.subMeshes[0].indices.push_back(
-            split.buffers[0].addPosition(from.positions[3 * index], from.positions[3 * index + 1], from.positions[3 * index + 2]));
+        split.subMeshes[0].indices.push_back(split.buffers[0].addPosition(
+            from.positions[3 * index], from.positions[3 * index + 1], from.positions[3 * index + 2]));
         split.buffers[0].addNormal(0, 0, 1);
         split.buffers[0].addUv(from.uvSets[0][2 * index], from.uvSets[0][2 * index + 1]);
     }

@@ -21,7 +21,8 @@ using namespace lodsmith;
 
 bool isNamed(ErrorCode code)
 {
-    return code == ErrorCode::InvalidGeometry || code == ErrorCode::IndexOutOfRange || code == ErrorCode::InvalidSetting;
+    return code == ErrorCode::InvalidGeometry || code == ErrorCode::IndexOutOfRange
+           || code == ErrorCode::InvalidSetting;
 }
 
 } // namespace

@@ -393,7 +393,8 @@ std::vector<std::string> brokenInvariants(const MeshView& mesh, const std::vecto
     const PositionSet locked = lockedPositions(input, options);
     const std::vector<Triangle> original = corners(input.atRest.triangles, input.welded);
     const double slack = input.atRest.clean ? 2.0 : 2.0 * input.atRest.greatestDegree + 1.0;
-    Before before{countPositions(input.atRest.triangles), static_cast<std::uint32_t>(input.atRest.triangles.size()), 0.0, 0.0};
+    Before before{countPositions(input.atRest.triangles), static_cast<std::uint32_t>(input.atRest.triangles.size()),
+                  0.0, 0.0};
     for (std::size_t i = 0; i < targets.size(); ++i) {
         const LodChainLevel& level = chain.levels[i];
         LevelCheck levelCheck(input, i, broken);

@@ -44,7 +44,8 @@ struct WeldedTriangle {
 };
 
 /// The triangles of `lists`; indices have to be in range.
-std::vector<WeldedTriangle> weldedTriangles(const MeshView& mesh, const WeldedPositions& welded, const IndexLists& lists);
+std::vector<WeldedTriangle> weldedTriangles(const MeshView& mesh, const WeldedPositions& welded,
+                                            const IndexLists& lists);
 
 /// A mesh's own index lists.
 IndexLists indexLists(const MeshView& mesh);
@@ -61,10 +62,12 @@ using Edge = std::pair<std::uint32_t, std::uint32_t>; ///< welded positions, the
 struct Connectivity {
     explicit Connectivity(const std::vector<WeldedTriangle>& triangles);
 
-    std::map<Edge, std::uint32_t> edges;             ///< triangles on each edge
-    std::map<std::uint32_t, std::uint32_t> fans;     ///< for each position, groups of triangles that hang together over edges at it
-    std::map<std::uint32_t, std::uint32_t> borderOf; ///< for each border position the number of its border (edges with one triangle)
-    std::map<std::uint32_t, std::uint32_t> pieceOf;  ///< for each position the number of its connected piece
+    std::map<Edge, std::uint32_t> edges; ///< triangles on each edge
+    std::map<std::uint32_t, std::uint32_t>
+        fans; ///< for each position, groups of triangles that hang together over edges at it
+    std::map<std::uint32_t, std::uint32_t>
+        borderOf; ///< for each border position the number of its border (edges with one triangle)
+    std::map<std::uint32_t, std::uint32_t> pieceOf; ///< for each position the number of its connected piece
     std::uint32_t triangles = 0;
     std::uint32_t borderEdges = 0;      ///< with one triangle
     std::uint32_t oddEdges = 0;         ///< with an odd number of triangles
