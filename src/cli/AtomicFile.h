@@ -25,15 +25,15 @@ public:
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
 
-    /// Writes everything to the temporary file and makes it durable; directories on the way are made. To be called once.
-    /// Errors: those of checkTarget(), Io.
+    /// Writes everything to the temporary file and makes it durable; directories on the way are made. To be called
+    /// once. Errors: those of checkTarget(), Io.
     Result<Done> prepare(std::string_view bytes);
 
     /// Puts what was prepared in its place. Errors: those of checkTarget(), Io.
     Result<Done> commit();
 
-    /// Whether a write could succeed as far as the target goes. Error: Io when it exists and is to be kept, or when it is
-    /// no regular file (which is never replaced).
+    /// Whether a write could succeed as far as the target goes. Error: Io when it exists and is to be kept, or when it
+    /// is no regular file (which is never replaced).
     static Result<Done> checkTarget(const std::filesystem::path& target, Existing existing);
 
     /// Removes what process `writer`, which has ended, left half-written in a directory.

@@ -31,8 +31,8 @@ using BatchSink = std::function<void(std::size_t job, const Result<Json>& outcom
 
 /// Works on files in child processes, several at a time, so that none of them can harm the others.
 ///
-/// A child may use 4 GiB of address space and 64 times its input on top. An interrupt or a request to terminate ends all
-/// children, clears up after them and then ends this process the same way.
+/// A child may use 4 GiB of address space and 64 times its input on top. An interrupt or a request to terminate ends
+/// all children, clears up after them and then ends this process the same way.
 class BatchRunner {
 public:
     explicit BatchRunner(const BatchOptions& options, ProgressBar& progress) : mOptions(options), mProgress(progress) {}

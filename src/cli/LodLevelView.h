@@ -19,8 +19,9 @@ struct LodLevelView {
     std::vector<std::vector<std::uint32_t>> indices; ///< what the view's submeshes point to
 };
 
-/// Copies the triangles of generated level `level`, 1 and up, out of a mesh that `data` was read from. The triangle without
-/// area that stands for an empty list is left out. Errors: IndexOutOfRange, Unsupported (a level of strips or fans).
+/// Copies the triangles of generated level `level`, 1 and up, out of a mesh that `data` was read from. The triangle
+/// without area that stands for an empty list is left out. Errors: IndexOutOfRange, Unsupported (a level of strips or
+/// fans).
 Result<LodLevelView> readLodLevel(const Ogre::Mesh& mesh, const MeshData& data, std::size_t level);
 
 } // namespace lodsmith::cli

@@ -28,8 +28,8 @@ Result<Ogre::Serializer::Endian> parseEndian(const std::string& word);
 /// Whether OGRE writes levels of detail in a format; in 1.0 and 1.4 it leaves them out without a word.
 bool holdsLevels(Ogre::MeshVersion version);
 
-/// The bytes of a `.mesh` file. Error: Unsupported when the mesh has levels that the format does not hold, or vertex elements
-/// whose byte order OGRE does not turn (normalised bytes among them).
+/// The bytes of a `.mesh` file. Error: Unsupported when the mesh has levels that the format does not hold, or vertex
+/// elements whose byte order OGRE does not turn (normalised bytes among them).
 Result<std::string> meshBytes(const Ogre::Mesh& mesh, const MeshFormat& format);
 
 /// A file that goes along with a mesh.

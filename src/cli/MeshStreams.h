@@ -12,8 +12,8 @@ class CheckedStream : public Ogre::MemoryDataStream {
 public:
     CheckedStream(const Ogre::String& name, const std::string& bytes);
 
-    /// Throws Ogre::Exception when fewer bytes are left, except at the very end, where OGRE looks for further chunks: there
-    /// it fills up to six bytes (a chunk's header) with zeros and returns 0.
+    /// Throws Ogre::Exception when fewer bytes are left, except at the very end, where OGRE looks for further chunks:
+    /// there it fills up to six bytes (a chunk's header) with zeros and returns 0.
     size_t read(void* buffer, size_t count) override;
 
     /// The text up to the next line break, which is skipped. Throws Ogre::Exception when there is none.

@@ -22,11 +22,12 @@ class Root;
 
 namespace lodsmith::cli {
 
-/// OGRE without a window, a render system, plugins, configuration or log, for as long as the object lives. One at a time.
+/// OGRE without a window, a render system, plugins, configuration or log, for as long as the object lives. One at a
+/// time.
 ///
-/// Nothing OGRE says reaches the standard streams. A mesh finds the skeleton and the hand-made levels that it names beside
-/// its own file, and nowhere else. Materials need no scripts: a name that a mesh mentions gets an empty material, since
-/// OGRE forgets the name otherwise and would not save it again.
+/// Nothing OGRE says reaches the standard streams. A mesh finds the skeleton and the hand-made levels that it names
+/// beside its own file, and nowhere else. Materials need no scripts: a name that a mesh mentions gets an empty
+/// material, since OGRE forgets the name otherwise and would not save it again.
 class OgreSession : private Ogre::ResourceLoadingListener,
                     private Ogre::MeshSerializerListener,
                     private Ogre::ManualResourceLoader {

@@ -21,8 +21,8 @@ struct PlannedFile {
 /// `output` is a directory when it is one already, ends in '/', or when there are several inputs or one that is a
 /// directory; otherwise it is a file. A directory input stands for all `.mesh` files below it, sorted by name, which
 /// keep their relative paths; an output directory below it is not searched.
-/// Errors: InvalidSetting when two inputs have one output, when an output is another's input, or when `output` is a file
-/// where a directory is needed.
+/// Errors: InvalidSetting when two inputs have one output, when an output is another's input, or when `output` is a
+/// file where a directory is needed.
 Result<std::vector<PlannedFile>> planOutputs(const std::vector<std::string>& inputs, const std::string& output);
 
 } // namespace lodsmith::cli

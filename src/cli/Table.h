@@ -13,8 +13,8 @@ public:
     /// A row of at most as many cells as the heading has.
     void add(std::vector<std::string> row);
 
-    /// All rows, columns two blanks apart, numbers' ends under each other (cells are set to the right, the first column's
-    /// too), each row ending in a line break and in no blanks.
+    /// All rows, columns two blanks apart, numbers' ends under each other (cells are set to the right, the first
+    /// column's too), each row ending in a line break and in no blanks.
     std::string text() const;
 
 private:

@@ -86,7 +86,7 @@ bool CollapseCheck::keepsLink(const OneRing& ring, std::uint32_t neighbour) cons
         if (!sound || (found == 2 && hasFace(ring, common[0], common[1])))
             return false;
     }
-    const bool simple = std::all_of(ring.neighbours, ring.neighbours + ring.neighbourCount,
+    const bool simple = ring.neighbours[neighbour].faces < ring.faceCount && std::all_of(ring.neighbours, ring.neighbours + ring.neighbourCount,
                                     [](const OneRing::Neighbour& other) { return other.faces == 2; });
     return simple || keepsEdgesManifold(ring, neighbour);
 }

@@ -16,6 +16,7 @@ namespace lodsmith {
 
 namespace {
 
+constexpr double kRounding = 1e-7; // share of the radius that a bound may be short of, for all the rounding behind it
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 std::optional<Error> troubleWith(const std::vector<LevelTarget>& targets, const AttributeWeights& weights)
@@ -137,6 +138,7 @@ Result<LodChain> run(const MeshView& view, const std::vector<LevelTarget>& targe
     Simplifier simplifier(mesh, std::move(cost), {options.lockBorders, options.lockSeams});
     const Watch watch(progress, mesh, targets);
     LodChain chain = mesh.summary;
+    const double rounding = kRounding * chain.radius;
     std::uint32_t verticesBefore = mesh.liveVertices;
     for (const LevelTarget& target : targets) {
         LodChainLevel level;
@@ -145,7 +147,7 @@ Result<LodChain> run(const MeshView& view, const std::vector<LevelTarget>& targe
             return cancelled;
         level.vertices = mesh.liveVertices;
         level.triangles = mesh.liveFaces;
-        level.deviation = simplifier.largestDeviation() / mesh.scale;
+        level.deviation = mesh.liveVertices < mesh.summary.vertices ? simplifier.largestDeviation() / mesh.scale + rounding : 0.0;
         level.cost = simplifier.largestLength() / mesh.scale;
         level.skipped = mesh.liveVertices == verticesBefore;
         if (!level.skipped)

@@ -22,7 +22,7 @@ bool WedgeMap::build(const CollapseMesh& mesh, const OneRing& ring, std::uint32_
             continue;
         std::uint32_t to = matched(mesh, ring, neighbour, wedge);
         if (to == kNone)
-            to = nearest(mesh, destination, wedge);
+            to = nearest(mesh, destination, wedge, motionThere(mesh, ring, neighbour, wedge));
         if (to == kNone)
             return false;
         mFrom[mCount] = wedge;
@@ -47,12 +47,12 @@ std::uint32_t WedgeMap::matched(const CollapseMesh& mesh, const OneRing& ring, s
     return best;
 }
 
-std::uint32_t WedgeMap::nearest(const CollapseMesh& mesh, std::uint32_t vertex, std::uint32_t wedge)
+std::uint32_t WedgeMap::nearest(const CollapseMesh& mesh, std::uint32_t vertex, std::uint32_t wedge, std::uint32_t motion)
 {
     std::uint32_t best = kNone;
     double bestDistance = 0.0;
     for (std::uint32_t there = vertex; there != kNone; there = mesh.nextWedge[there]) {
-        if (mesh.subMeshOfWedge(there) != mesh.subMeshOfWedge(wedge))
+        if (mesh.subMeshOfWedge(there) != mesh.subMeshOfWedge(wedge) || mesh.motionOf(there) != motion)
             continue;
         const double distance = mesh.attributeDistance(wedge, there);
         if (best == kNone || distance < bestDistance) {
@@ -61,6 +61,15 @@ std::uint32_t WedgeMap::nearest(const CollapseMesh& mesh, std::uint32_t vertex, 
         }
     }
     return best;
+}
+
+/// The motion that a wedge takes on at the destination: that of the faces on the edge with its own motion; kNone without any.
+std::uint32_t WedgeMap::motionThere(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour, std::uint32_t wedge)
+{
+    for (std::uint32_t i = 0; i < ring.faceCount; ++i)
+        if (ring.contains(ring.faces[i], neighbour) && mesh.motionOf(ring.faces[i].wedge[0]) == mesh.motionOf(wedge))
+            return mesh.motionOf(ring.wedgeOf(ring.faces[i], neighbour));
+    return kNone;
 }
 
 /// Where wedges of one position move apart, the split between them is left along itself only, and its ends stay.

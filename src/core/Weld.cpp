@@ -11,8 +11,9 @@ namespace lodsmith {
 
 namespace {
 
-constexpr float kLargest = 1e18f; // squares of positions and attributes stay inside a float
+constexpr float kLargest = 1e18f; // the square of a length stays inside a float
 constexpr float kBoneTolerance = 1.0f / 256.0f; // what exporters round away
+constexpr float kOffsetTolerance = 1e-5f; // share of the offset; what exporters round away
 constexpr std::uint32_t kExtra = 0x80000000u;   // marks a further wedge while the number of vertices is not known yet
 
 using Position = std::array<float, 3>;
@@ -78,7 +79,7 @@ Position offsetOf(const BufferVertex& v, std::size_t pose)
     return offset;
 }
 
-bool sameMotion(const BufferVertex& a, const BufferVertex& b, float tolerance)
+bool sameMotion(const BufferVertex& a, const BufferVertex& b)
 {
     const BoneInfluences none;
     if (!sameBones(a.buffer->bones ? a.buffer->bones[a.index] : none, b.buffer->bones ? b.buffer->bones[b.index] : none))
@@ -87,7 +88,7 @@ bool sameMotion(const BufferVertex& a, const BufferVertex& b, float tolerance)
     for (std::size_t pose = 0; pose < poses; ++pose) {
         const Position pa = offsetOf(a, pose), pb = offsetOf(b, pose);
         for (int i = 0; i < 3; ++i)
-            if (std::abs(pa[i] - pb[i]) > tolerance)
+            if (std::abs(pa[i] - pb[i]) > kOffsetTolerance * std::max(std::abs(pa[i]), std::abs(pb[i])))
                 return false;
     }
     return true;
@@ -100,18 +101,13 @@ bool sameAttributes(const VertexBufferView& buffer, std::uint32_t a, std::uint32
                        [&](const UvStream& uv) { return sameTuple(uv.stream, a, b, uv.components); });
 }
 
-bool isUsable(float value)
-{
-    return std::abs(value) <= kLargest; // not so for a NaN
-}
-
-bool usableTuple(const FloatStream& stream, std::uint32_t index, int count)
+bool finiteTuple(const FloatStream& stream, std::uint32_t index, int count)
 {
     if (!stream)
         return true;
     float v[4];
     stream.read(index, count, v);
-    return std::all_of(v, v + count, isUsable);
+    return std::all_of(v, v + count, [](float f) { return std::isfinite(f); });
 }
 
 class Welder {
@@ -151,21 +147,7 @@ private:
         while (slots < vertices + vertices / 2)
             slots *= 2;
         mSlots.assign(slots, kNone);
-        mMotionTolerance = motionTolerance();
         return std::nullopt;
-    }
-
-    /// Pose offsets closer than a millionth of the farthest coordinate are the same motion.
-    float motionTolerance() const
-    {
-        float farthest = 0.0f;
-        for (const VertexBufferView& buffer : mView.vertexBuffers)
-            if (!buffer.offsets.empty())
-                for (std::uint32_t i = 0; i < buffer.vertexCount; ++i)
-                    for (float coordinate : readPosition(buffer, i))
-                        if (std::isfinite(coordinate))
-                            farthest = std::max(farthest, std::abs(coordinate));
-        return farthest * 1e-6f;
     }
 
     std::optional<Error> addSubMesh(int number)
@@ -211,22 +193,23 @@ private:
 
     static const char* troubleWith(const VertexBufferView& buffer, std::uint32_t index)
     {
-        if (!usableTuple(buffer.positions, index, 3))
-            return "a position is not finite, or beyond +-1e18";
-        if (!usableTuple(buffer.normals, index, 3))
-            return "a normal is not finite, or beyond +-1e18";
-        if (!usableTuple(buffer.colours, index, 4))
-            return "a colour is not finite, or beyond +-1e18";
+        for (float coordinate : readPosition(buffer, index))
+            if (!(std::abs(coordinate) <= kLargest))
+                return "a position is not finite, or beyond +-1e18";
+        if (!finiteTuple(buffer.normals, index, 3))
+            return "a normal is not finite";
+        if (!finiteTuple(buffer.colours, index, 4))
+            return "a colour is not finite";
         for (const UvStream& uv : buffer.uvSets)
-            if (!usableTuple(uv.stream, index, uv.components))
-                return "a texture coordinate is not finite, or beyond +-1e18";
+            if (!finiteTuple(uv.stream, index, uv.components))
+                return "a texture coordinate is not finite";
         for (const FloatStream& offset : buffer.offsets)
-            if (!usableTuple(offset, index, 3))
-                return "a pose offset is not finite, or beyond +-1e18";
+            if (!finiteTuple(offset, index, 3))
+                return "a pose offset is not finite";
         if (buffer.bones)
             for (float weight : buffer.bones[index].weight)
-                if (!isUsable(weight))
-                    return "a bone weight is not finite, or beyond +-1e18";
+                if (!std::isfinite(weight))
+                    return "a bone weight is not finite";
         if (buffer.importance) {
             float importance;
             buffer.importance.read(index, 1, &importance);
@@ -262,7 +245,7 @@ private:
         std::uint32_t motion = kNone, last = vertex;
         for (std::uint32_t wedge = vertex; wedge != kNone; wedge = record(wedge).next) {
             const WedgeRecord& other = record(wedge);
-            const bool together = sameMotion({&bufferOf(other.subMesh), other.index}, added, mMotionTolerance);
+            const bool together = sameMotion({&bufferOf(other.subMesh), other.index}, added);
             if (together && other.subMesh == subMesh && sameAttributes(*added.buffer, other.index, index))
                 return wedge;
             if (together && motion == kNone)
@@ -370,7 +353,6 @@ private:
     std::vector<std::vector<std::uint32_t>> mWedgeOf; ///< of each buffer's vertices, kNone when not referenced
     std::vector<std::uint32_t> mSlots;                ///< hash table of positions: vertex numbers
     std::vector<WedgeRecord> mFirst, mExtra;
-    float mMotionTolerance = 0.0f;
     bool mSplitMotion = false;
 };
 

@@ -107,7 +107,8 @@ TEST(AtomicFile, runningOutOfSpaceLeavesNothing)
 {
     const TestDirectory directory;
     directory.write("file", "old");
-    // A limit on file sizes looks like a full disk to write(), and needs no disk of one's own. In a child, since it stays.
+    // A limit on file sizes looks like a full disk to write(), and needs no disk of one's own. In a child, since it
+    // stays.
     const pid_t child = ::fork();
     if (child == 0) {
         ::signal(SIGXFSZ, SIG_IGN);

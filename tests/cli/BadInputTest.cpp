@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <csignal>
 #include <random>
 
 #include <unistd.h>
@@ -126,7 +127,8 @@ TEST_F(BadInputTest, aFullDiskLeavesNothingBehind)
 {
     const std::string mesh = mDirectory.write("a.mesh", torusMesh(24));
     const std::string before = contentOf(mesh);
-    // A limit on file sizes looks like a full disk; it is large enough for the program's output, which the tests keep in files.
+    // A limit on file sizes looks like a full disk; it is large enough for the program's output, which the tests keep
+    // in files.
     const Outcome outcome = runLodsmith({"generate", mesh, "-o", in("out/"), "--levels", kHalf}, before.size());
     EXPECT_EQ(outcome.exitCode, 1);
     EXPECT_THAT(outcome.err, HasSubstr("lodsmith: " + in("out/a.mesh") + ": cannot be written"));
@@ -134,6 +136,15 @@ TEST_F(BadInputTest, aFullDiskLeavesNothingBehind)
     const Outcome forced = runLodsmith({"generate", mesh, "-o", mesh, "--force", "--levels", kHalf}, before.size());
     EXPECT_EQ(forced.exitCode, 1);
     EXPECT_EQ(contentOf(mesh), before);
+    EXPECT_THAT(mDirectory.files(), ElementsAre("a.mesh"));
+}
+
+TEST_F(BadInputTest, anInterruptEndsEverythingAndLeavesNothing)
+{
+    const std::string mesh = mDirectory.write("a.mesh", torusMesh(24));
+    const Outcome outcome = test::runProgram({"timeout", "--preserve-status", "--signal=INT", "1", LODSMITH_PROGRAM,
+                                              "generate", mesh, "-o", in("b.mesh"), "--repeat", "100000"});
+    EXPECT_EQ(outcome.exitCode, 128 + SIGINT);
     EXPECT_THAT(mDirectory.files(), ElementsAre("a.mesh"));
 }
 

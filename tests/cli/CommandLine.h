@@ -17,7 +17,8 @@ struct Outcome {
     std::vector<nlohmann::json> records() const;
 };
 
-/// Runs the lodsmith program as a child process. `fileSizeLimit` bounds the files it may write, in bytes; 0 for no bound.
+/// Runs the lodsmith program as a child process. `fileSizeLimit` bounds the files it may write, in bytes; 0 for no
+/// bound.
 Outcome runLodsmith(const std::vector<std::string>& arguments, unsigned long fileSizeLimit = 0);
 
 /// Any program with a standard output of its own; looked for on the PATH.

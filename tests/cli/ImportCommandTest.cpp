@@ -28,7 +28,8 @@ constexpr const char* kTwoNodes = R"({
   "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0,0,0], "max": [1,1,0]},
                 {"bufferView": 1, "componentType": 5123, "count": 3, "type": "SCALAR"}],
   "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 6}],
-  "buffers": [{"byteLength": 42, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAABAAIA"}]
+  "buffers": [{"byteLength": 42,
+               "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAABAAIA"}]
 })";
 
 float corner(const MeshView& view, std::size_t subMesh, std::size_t index, int axis)

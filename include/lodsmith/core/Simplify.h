@@ -57,7 +57,7 @@ struct SimplifyOptions {
 /// could be done and says why it stopped.
 ///
 /// Errors: InvalidSetting (a target or weight out of range or not a number), InvalidGeometry (a referenced position or
-/// attribute is not finite or beyond +-1e18), IndexOutOfRange, Cancelled, OutOfMemory; with submesh and index where there is one.
+/// attribute is not finite, a position is beyond +-1e18, an importance outside 0..1), IndexOutOfRange, Cancelled, OutOfMemory; with submesh and index where there is one.
 /// Deterministic: the same input gives the same bytes on every run, compiler and optimisation level.
 /// Thread-safe for different meshes, and for one mesh that nobody changes; throws nothing.
 ///
