@@ -13,7 +13,16 @@ namespace lodsmith::cli {
 
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kExamples =
+    R"(A level is VALUE:METHOD:AMOUNT, or VALUE:mesh:FILE for a hand-made mesh. VALUE is a distance in world
+units or a pixel count. METHOD and AMOUNT, always against the original mesh:
+  proportional  share of the vertices removed, 0 to 1
+  constant      number of vertices removed
+  triangles     number of triangles kept
+  deviation     bound on the deviation, in world units
+  collapsecost  dearest collapse, in world units
+
+Examples:
   lodsmith generate tree.mesh -o tree-lod.mesh
       automatic levels (four, by pixel count)
   lodsmith generate tree.mesh -o out/ --levels 20:proportional:0.5,60:proportional:0.75
@@ -200,16 +209,11 @@ void addSimplifierOptions(CLI::App& command, GenerateArguments& arguments)
 
 void addLevelOptions(CLI::App& command, GenerateArguments& arguments)
 {
-    addParsedOption(
-        command, "--levels",
-        "Levels, nearest first, with commas between: VALUE:METHOD:AMOUNT or VALUE:mesh:FILE. VALUE is a distance in "
-        "world units or a pixel count. METHOD and AMOUNT: proportional and the share of the vertices removed, "
-        "constant and their number, triangles and how many are kept, deviation and its bound in world units, "
-        "collapsecost and the dearest collapse. FILE is a hand-made mesh. [automatic levels]",
-        [&arguments](const std::string& text) -> Result<Done> {
-            arguments.levels = text;
-            return Done{};
-        })
+    addParsedOption(command, "--levels", "Levels, nearest first, as told below [automatic levels]",
+                    [&arguments](const std::string& text) -> Result<Done> {
+                        arguments.levels = text;
+                        return Done{};
+                    })
         ->type_name("SPEC,...");
     addParsedOption(command, "--strategy", "What VALUE is: distance or pixelcount [distance]",
                     [&arguments](const std::string& word) -> Result<Done> {

@@ -86,7 +86,10 @@ Result<Ogre::MeshPtr> OgreSession::loadAs(const fs::path& path, const std::strin
 
 Ogre::MeshPtr OgreSession::create(const Ogre::String& name)
 {
-    return Ogre::MeshManager::getSingleton().createManual(name, Ogre::RGN_DEFAULT);
+    Ogre::MeshPtr mesh = Ogre::MeshManager::getSingleton().createManual(name, Ogre::RGN_DEFAULT);
+    // OGRE frees the submeshes of loaded meshes alone.
+    mesh->load();
+    return mesh;
 }
 
 void OgreSession::provideMaterial(const Ogre::Mesh& mesh, const Ogre::String& name)

@@ -46,7 +46,8 @@ public:
 private:
     Source sourceOf(std::uint32_t wedge) const
     {
-        return {&mView.vertexBuffers[mView.subMeshes[mMesh.subMeshOfWedge(wedge)].vertexBuffer], mMesh.wedgeSource[wedge]};
+        return {&mView.vertexBuffers[mView.subMeshes[mMesh.subMeshOfWedge(wedge)].vertexBuffer],
+                mMesh.wedgeSource[wedge]};
     }
 
     void planChannels()
@@ -66,8 +67,8 @@ private:
         mNormalScale = static_cast<float>(mWeights.normal * radius);
         mColourScale = static_cast<float>(mWeights.colour * radius);
         mBoneScale = static_cast<float>(mWeights.bone * radius / std::sqrt(static_cast<double>(kProjected)));
-        mChannels = 2 * mUvScales.size() + (mHasNormals ? 3 : 0) + (mHasColours ? 4 : 0) + (mHasBones ? kProjected : 0) +
-                    std::min<std::size_t>(3 * mPoses, kProjected);
+        mChannels = 2 * mUvScales.size() + (mHasNormals ? 3 : 0) + (mHasColours ? 4 : 0) + (mHasBones ? kProjected : 0)
+                    + std::min<std::size_t>(3 * mPoses, kProjected);
     }
 
     /// Length that one unit of a texture coordinate set stands for: from the mesh's mean texel density.
@@ -78,7 +79,8 @@ private:
             float uv[3][2];
             for (int corner = 0; corner < 3; ++corner)
                 readUv(sourceOf(face.wedge[corner]), set, uv[corner]);
-            const double doubled = (uv[1][0] - uv[0][0]) * double{uv[2][1] - uv[0][1]} - (uv[1][1] - uv[0][1]) * double{uv[2][0] - uv[0][0]};
+            const double doubled = (uv[1][0] - uv[0][0]) * double{uv[2][1] - uv[0][1]}
+                                   - (uv[1][1] - uv[0][1]) * double{uv[2][0] - uv[0][0]};
             texture += 0.5 * std::abs(doubled);
             surface += face.area;
         }
@@ -89,7 +91,8 @@ private:
     {
         out[0] = out[1] = 0.0f;
         if (set < source.buffer->uvSets.size() && source.buffer->uvSets[set].stream)
-            source.buffer->uvSets[set].stream.read(source.index, std::min(2, source.buffer->uvSets[set].components), out);
+            source.buffer->uvSets[set].stream.read(source.index, std::min(2, source.buffer->uvSets[set].components),
+                                                   out);
     }
 
     /// All channels of a wedge, in the order uv sets, normal, colour, bones, offsets.

@@ -7,8 +7,8 @@ namespace lodsmith {
 
 namespace {
 
-constexpr double kLeastCosine = 0.2;       // a face may turn by up to 78 degrees in one collapse
-constexpr std::uint32_t kHubFaces = 64;    // from here on it is cheaper to ask the neighbours than to walk the hub
+constexpr double kLeastCosine = 0.2;    // a face may turn by up to 78 degrees in one collapse
+constexpr std::uint32_t kHubFaces = 64; // from here on it is cheaper to ask the neighbours than to walk the hub
 
 bool isApex(const OneRing& ring, std::uint32_t neighbour, std::uint32_t other)
 {
@@ -86,8 +86,9 @@ bool CollapseCheck::keepsLink(const OneRing& ring, std::uint32_t neighbour) cons
         if (!sound || (found == 2 && hasFace(ring, common[0], common[1])))
             return false;
     }
-    const bool simple = ring.neighbours[neighbour].faces < ring.faceCount && std::all_of(ring.neighbours, ring.neighbours + ring.neighbourCount,
-                                    [](const OneRing::Neighbour& other) { return other.faces == 2; });
+    const bool simple = ring.neighbours[neighbour].faces < ring.faceCount
+                        && std::all_of(ring.neighbours, ring.neighbours + ring.neighbourCount,
+                                       [](const OneRing::Neighbour& other) { return other.faces == 2; });
     return simple || keepsEdgesManifold(ring, neighbour);
 }
 
@@ -106,7 +107,8 @@ bool CollapseCheck::keepsLinkAtHub(const OneRing& ring, std::uint32_t neighbour)
         const std::uint32_t* list = mMesh.faceList(other);
         for (std::uint32_t k = 0; k < mMesh.vertices[other].liveFaces; ++k) {
             const CollapseMesh::Face& face = mMesh.faces[list[k]];
-            const std::uint32_t at[3] = {mMesh.vertexOf(face.wedge[0]), mMesh.vertexOf(face.wedge[1]), mMesh.vertexOf(face.wedge[2])};
+            const std::uint32_t at[3] = {mMesh.vertexOf(face.wedge[0]), mMesh.vertexOf(face.wedge[1]),
+                                         mMesh.vertexOf(face.wedge[2])};
             const bool touches = std::find(at, at + 3, destination) != at + 3;
             if (!touches || std::find(at, at + 3, ring.vertex) != at + 3)
                 continue;
@@ -114,7 +116,8 @@ bool CollapseCheck::keepsLinkAtHub(const OneRing& ring, std::uint32_t neighbour)
                 return false;
             for (std::uint32_t vertex : at)
                 if (vertex != destination && vertex != other)
-                    if (const std::uint32_t known = ring.find(mMesh, vertex); known != ring.neighbourCount && hasFace(ring, i, known))
+                    if (const std::uint32_t known = ring.find(mMesh, vertex);
+                        known != ring.neighbourCount && hasFace(ring, i, known))
                         return false;
         }
     }

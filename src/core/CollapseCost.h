@@ -9,8 +9,8 @@ namespace lodsmith {
 
 /// A possible collapse of the vertex of a one-ring.
 struct Candidate {
-    int neighbour = -1;  ///< destination, as numbered in the ring; -1 for none
-    float cost = 0.0f;   ///< orders the queue; >= 0
+    int neighbour = -1; ///< destination, as numbered in the ring; -1 for none
+    float cost = 0.0f;  ///< orders the queue; >= 0
 };
 
 /// What a collapse costs. Given a ring, it hands out the possible collapses from the cheapest on; those that turn out
@@ -21,6 +21,9 @@ public:
 
     /// Prepares for one vertex. The ring and the mesh stay unchanged until the next call.
     virtual void begin(const CollapseMesh& mesh, const OneRing& ring) = 0;
+
+    /// A quick guess at what the cheapest collapse costs, for the first order of the queue.
+    virtual float guess() = 0;
 
     /// The cheapest collapse not rejected; of equal ones the first in the ring.
     virtual Candidate cheapest() = 0;
@@ -33,10 +36,10 @@ public:
 protected:
     static constexpr double kImpossible = std::numeric_limits<double>::infinity();
 
-    static Candidate candidate(int neighbour, double cost)
+    static float finite(double cost)
     {
-        constexpr double dearest = 1e30; // still a finite float
-        return {neighbour, static_cast<float>(cost < dearest ? cost : dearest)}; // a NaN, of absurd attributes, is dear too
+        constexpr double dearest = 1e30;                            // still a finite float
+        return static_cast<float>(cost < dearest ? cost : dearest); // a NaN, of absurd attributes, is dear too
     }
 };
 

@@ -7,7 +7,8 @@ namespace lodsmith {
 namespace {
 
 constexpr std::uint32_t kPrefetched = 12; // faces a vertex, at most
-constexpr std::uint32_t kListSlack = 2; // a collapse between vertices of ordinary valence adds two faces to the destination
+constexpr std::uint32_t kListSlack =
+    2; // a collapse between vertices of ordinary valence adds two faces to the destination
 
 } // namespace
 
@@ -26,7 +27,8 @@ double CollapseMesh::attributeDistance(std::uint32_t a, std::uint32_t b) const
     return double{sum[0]} + sum[1];
 }
 
-double CollapseMesh::secondDifference(std::uint32_t here, std::uint32_t target, std::uint32_t second, float s, std::uint32_t third, float t) const
+double CollapseMesh::secondDifference(std::uint32_t here, std::uint32_t target, std::uint32_t second, float s,
+                                      std::uint32_t third, float t) const
 {
     const float* h = attributesOf(here);
     const float* d = attributesOf(target);
@@ -141,7 +143,8 @@ void CollapseMesh::growFaceList(Vertex& vertex, std::uint32_t needed)
         compactAllFaceLists();
     const std::size_t first = mFaceLists.size();
     mFaceLists.resize(first + capacity);
-    std::copy_n(mFaceLists.begin() + vertex.firstFace, vertex.faceSlots, mFaceLists.begin() + static_cast<std::ptrdiff_t>(first));
+    std::copy_n(mFaceLists.begin() + vertex.firstFace, vertex.faceSlots,
+                mFaceLists.begin() + static_cast<std::ptrdiff_t>(first));
     vertex.firstFace = static_cast<std::uint32_t>(first);
     vertex.faceCapacity = capacity;
 }

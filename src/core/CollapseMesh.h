@@ -54,13 +54,17 @@ public:
     std::uint32_t subMeshOfWedge(std::uint32_t wedge) const { return wedgeSubMesh.empty() ? 0 : wedgeSubMesh[wedge]; }
     std::uint32_t subMeshOf(const Face& face) const { return subMeshOfWedge(face.wedge[0]); }
     std::uint32_t motionOf(std::uint32_t wedge) const { return wedgeMotion.empty() ? 0 : wedgeMotion[wedge]; }
-    const float* attributesOf(std::uint32_t wedge) const { return attributes.data() + std::size_t{wedge} * attributeStride; }
+    const float* attributesOf(std::uint32_t wedge) const
+    {
+        return attributes.data() + std::size_t{wedge} * attributeStride;
+    }
 
     /// Squared, between two wedges.
     double attributeDistance(std::uint32_t a, std::uint32_t b) const;
 
     /// Squared length of (target - here) + s * (second - here) + t * (third - here).
-    double secondDifference(std::uint32_t here, std::uint32_t target, std::uint32_t second, float s, std::uint32_t third, float t) const;
+    double secondDifference(std::uint32_t here, std::uint32_t target, std::uint32_t second, float s,
+                            std::uint32_t third, float t) const;
 
     const std::uint32_t* faceList(std::uint32_t vertex) const { return mFaceLists.data() + vertices[vertex].firstFace; }
 

@@ -25,13 +25,14 @@ void CurvatureCost::begin(const CollapseMesh& mesh, const OneRing& ring)
     mIsBorder = ring.isBorder();
     const double factor = mesh.importance.empty() ? 1.0 : 1.0 / (1.0 - mesh.importance[ring.vertex]);
     for (std::uint32_t i = 0; i < ring.neighbourCount; ++i)
-        mCosts[i] = mWedges.build(mesh, ring, i) ? (bend(i) + seamPenalty(i)) * length(ring.neighbours[i].edge) * factor : kImpossible;
+        mCosts[i] = mWedges.build(mesh, ring, i) ? (bend(i) + seamPenalty(i)) * length(ring.neighbours[i].edge) * factor
+                                                 : kImpossible;
 }
 
 Candidate CurvatureCost::cheapest()
 {
     const double* best = std::min_element(mCosts, mCosts + mRing->neighbourCount);
-    return *best == kImpossible ? Candidate{} : candidate(static_cast<int>(best - mCosts), *best);
+    return *best == kImpossible ? Candidate{} : Candidate{static_cast<int>(best - mCosts), finite(*best)};
 }
 
 double CurvatureCost::bend(std::uint32_t neighbour) const
@@ -48,7 +49,8 @@ double CurvatureCost::borderBend(std::uint32_t neighbour) const
     for (std::uint32_t i = 0; i < mRing->neighbourCount; ++i) {
         if (i == neighbour || mRing->neighbours[i].faces != 1)
             continue;
-        const double cosine = dot(along, mRing->neighbours[i].edge) / (length(along) * length(mRing->neighbours[i].edge));
+        const double cosine =
+            dot(along, mRing->neighbours[i].edge) / (length(along) * length(mRing->neighbours[i].edge));
         most = std::max(most, 0.5 * (cosine + 1.002));
     }
     return most;
@@ -61,7 +63,8 @@ double CurvatureCost::interiorBend(std::uint32_t neighbour) const
         double least = 1.0;
         for (std::uint32_t u = 0; u < mRing->faceCount; ++u)
             if (mRing->contains(mRing->faces[u], neighbour)) {
-                const double cosine = dot(normalOf(mMesh->faces[mRing->faces[t].face]), normalOf(mMesh->faces[mRing->faces[u].face]));
+                const double cosine =
+                    dot(normalOf(mMesh->faces[mRing->faces[t].face]), normalOf(mMesh->faces[mRing->faces[u].face]));
                 least = std::min(least, 0.5 * (1.002 - cosine));
             }
         most = std::max(most, least);

@@ -10,6 +10,7 @@ namespace lodsmith {
 class CurvatureCost final : public CollapseCost {
 public:
     void begin(const CollapseMesh& mesh, const OneRing& ring) override;
+    float guess() override { return cheapest().cost; }
     Candidate cheapest() override;
     void reject(int neighbour) override { mCosts[neighbour] = kImpossible; }
     double lengthOf(float cost, const CollapseMesh&, const OneRing&) const override { return cost; }

@@ -1,5 +1,7 @@
 #include "OneRing.h"
 
+#include <algorithm>
+
 namespace lodsmith {
 
 namespace {
@@ -13,35 +15,37 @@ bool OneRing::build(CollapseMesh& mesh, std::uint32_t v)
     vertex = v;
     faceCount = neighbourCount = 0;
     mFilter = 0;
-    isSeam = isPlain = false;
+    isSeam = isFan = isPlain = false;
     if (mesh.vertices[v].liveFaces == 0 || mesh.vertices[v].liveFaces > kMaxFaces)
         return false;
     mesh.compactFaceList(v);
     origin = mesh.position(v);
     faceCount = mesh.vertices[v].liveFaces;
-    std::uint32_t third[kMaxFaces];
-    const bool seamNear = readFaces(mesh, third);
-    // On an orientable fan every neighbour is the second corner of one face and the third of another.
-    for (std::uint32_t i = 0; i < faceCount; ++i)
-        faces[i].third = noteAgain(mesh, third[i], i);
-    isPlain = !seamNear;
-    for (std::uint32_t i = 0; i < neighbourCount; ++i)
-        isPlain &= neighbours[i].faces == 2;
+    Corners corners;
+    const bool seamNear = readFaces(mesh, corners);
+    isFan = linkFan(mesh, corners);
+    isPlain = isFan && !seamNear;
+    if (!isFan)
+        linkAny(mesh, corners);
     return true;
 }
 
-/// Fills in the faces and their second corners, hands out their third ones, and tells whether any wedge is not its vertex's only one.
-bool OneRing::readFaces(CollapseMesh& mesh, std::uint32_t* third)
+/// Fills in the faces but for the numbers of their neighbours, and tells whether any wedge is not its vertex's first one.
+bool OneRing::readFaces(const CollapseMesh& mesh, Corners& corners)
 {
     const std::uint32_t* list = mesh.faceList(vertex);
-    const std::uint32_t* extraWedgeVertex = mesh.extraWedgeVertex.data();
+    const CollapseMesh::Face* meshFaces = mesh.faces.data();
     const std::uint32_t vertexCount = mesh.vertexCount();
-    const auto vertexOf = [=](std::uint32_t wedge) { return wedge < vertexCount ? wedge : extraWedgeVertex[wedge - vertexCount]; };
     bool seamNear = false;
     for (std::uint32_t i = 0; i < faceCount; ++i) {
-        const CollapseMesh::Face& face = mesh.faces[list[i]];
-        const std::uint32_t at[3] = {vertexOf(face.wedge[0]), vertexOf(face.wedge[1]), vertexOf(face.wedge[2])};
-        const int corner = (at[1] == vertex) + 2 * (at[2] == vertex);
+        const CollapseMesh::Face& face = meshFaces[list[i]];
+        std::uint32_t at[3] = {face.wedge[0], face.wedge[1], face.wedge[2]};
+        if (std::max({at[0], at[1], at[2]}) >= vertexCount) {
+            seamNear = true;
+            for (std::uint32_t& corner : at)
+                corner = mesh.vertexOf(corner);
+        }
+        const int corner = at[2] == vertex ? 2 : at[1] == vertex ? 1 : 0;
         const int next = kNext[corner], afterNext = kNext[next];
         RingFace& entry = faces[i];
         entry.face = list[i];
@@ -49,45 +53,74 @@ bool OneRing::readFaces(CollapseMesh& mesh, std::uint32_t* third)
         entry.wedge[0] = face.wedge[corner];
         entry.wedge[1] = face.wedge[next];
         entry.wedge[2] = face.wedge[afterNext];
-        entry.second = note(mesh, at[next], i);
-        third[i] = at[afterNext];
-        isSeam |= entry.wedge[0] != faces[0].wedge[0];
-        seamNear |= (at[0] != face.wedge[0]) | (at[1] != face.wedge[1]) | (at[2] != face.wedge[2]);
+        corners.second[i] = at[next];
+        corners.third[i] = at[afterNext];
     }
-    return seamNear || isSeam;
+    if (seamNear)
+        for (std::uint32_t i = 1; i < faceCount; ++i)
+            isSeam |= faces[i].wedge[0] != faces[0].wedge[0];
+    return seamNear;
 }
 
-/// Written without branches: in a list of faces in no order, whether a neighbour is new cannot be predicted.
-inline std::uint16_t OneRing::note(CollapseMesh& mesh, std::uint32_t vertexNumber, std::uint32_t face)
+/// On closed fans every neighbour is the second corner of one face and the third of another. False when this is something else.
+bool OneRing::linkFan(CollapseMesh& mesh, const Corners& corners)
+{
+    CollapseMesh::Vertex* vertices = mesh.vertices.data();
+    for (std::uint32_t i = 0; i < faceCount; ++i) {
+        CollapseMesh::Vertex& record = vertices[corners.second[i]];
+        record.ringIndex = static_cast<std::uint16_t>(i);
+        mFilter |= std::uint64_t{1} << (corners.second[i] % 64);
+        Neighbour& entry = neighbours[i];
+        entry.edge = Vec3{record.position[0], record.position[1], record.position[2]} - origin;
+        entry.vertex = corners.second[i];
+        entry.faces = 1;
+        entry.firstFace = static_cast<std::uint8_t>(i);
+    }
+    for (std::uint32_t i = 0; i < faceCount; ++i) {
+        const std::uint32_t known = vertices[corners.third[i]].ringIndex;
+        if (known >= faceCount || neighbours[known].vertex != corners.third[i] || ++neighbours[known].faces != 2)
+            return false;
+        faces[i].second = static_cast<std::uint16_t>(i);
+        faces[i].third = static_cast<std::uint16_t>(known);
+        neighbours[known].lastFace = static_cast<std::uint8_t>(i);
+    }
+    neighbourCount = faceCount;
+    return true;
+}
+
+void OneRing::linkAny(CollapseMesh& mesh, const Corners& corners)
+{
+    mFilter = 0;
+    for (std::uint32_t i = 0; i < faceCount; ++i)
+        faces[i].second = note(mesh, corners.second[i], i);
+    for (std::uint32_t i = 0; i < faceCount; ++i)
+        faces[i].third = note(mesh, corners.third[i], i);
+}
+
+std::uint16_t OneRing::note(CollapseMesh& mesh, std::uint32_t vertexNumber, std::uint32_t face)
 {
     CollapseMesh::Vertex& record = mesh.vertices[vertexNumber];
-    const std::uint32_t recorded = record.ringIndex % kMaxNeighbours;
-    const bool known = (recorded < neighbourCount) & (neighbours[recorded].vertex == vertexNumber);
-    const std::uint32_t i = known ? recorded : neighbourCount;
-    record.ringIndex = static_cast<std::uint16_t>(i);
+    const std::uint32_t recorded = record.ringIndex;
+    if (recorded < neighbourCount && neighbours[recorded].vertex == vertexNumber) {
+        Neighbour& entry = neighbours[recorded];
+        ++entry.faces;
+        entry.lastFace = static_cast<std::uint8_t>(face);
+        return record.ringIndex;
+    }
+    record.ringIndex = static_cast<std::uint16_t>(neighbourCount);
     mFilter |= std::uint64_t{1} << (vertexNumber % 64);
-    Neighbour& entry = neighbours[i];
-    entry.vertex = vertexNumber;
+    Neighbour& entry = neighbours[neighbourCount++];
     entry.edge = Vec3{record.position[0], record.position[1], record.position[2]} - origin;
-    entry.faces = static_cast<std::uint16_t>(known ? entry.faces + 1 : 1);
-    entry.firstFace = known ? entry.firstFace : static_cast<std::uint8_t>(face);
-    entry.lastFace = static_cast<std::uint8_t>(face);
-    neighbourCount += known ? 0 : 1;
-    return static_cast<std::uint16_t>(i);
-}
-
-inline std::uint16_t OneRing::noteAgain(CollapseMesh& mesh, std::uint32_t vertexNumber, std::uint32_t face)
-{
-    const std::uint32_t i = mesh.vertices[vertexNumber].ringIndex % kMaxNeighbours;
-    if (i >= neighbourCount || neighbours[i].vertex != vertexNumber)
-        return note(mesh, vertexNumber, face);
-    ++neighbours[i].faces;
-    neighbours[i].lastFace = static_cast<std::uint8_t>(face);
-    return static_cast<std::uint16_t>(i);
+    entry.vertex = vertexNumber;
+    entry.faces = 1;
+    entry.firstFace = entry.lastFace = static_cast<std::uint8_t>(face);
+    return record.ringIndex;
 }
 
 bool OneRing::isBorder() const
 {
+    if (isFan)
+        return false;
     for (std::uint32_t i = 0; i < neighbourCount; ++i)
         if (neighbours[i].faces == 1)
             return true;

@@ -16,9 +16,9 @@ public:
 
     struct RingFace {
         std::uint32_t face;
-        std::uint16_t second, third;  ///< neighbours at the next corner and the one after, in winding order
-        std::uint32_t wedge[3];       ///< of this vertex, the second and the third corner
-        std::uint8_t corner;          ///< this vertex's corner in the face
+        std::uint16_t second, third; ///< neighbours at the next corner and the one after, in winding order
+        std::uint32_t wedge[3];      ///< of this vertex, the second and the third corner
+        std::uint8_t corner;         ///< this vertex's corner in the face
     };
 
     static constexpr std::uint32_t kMaxNeighbours = 2 * kMaxFaces;
@@ -35,8 +35,9 @@ public:
     Vec3 origin;
     std::uint32_t faceCount = 0;
     std::uint32_t neighbourCount = 0;
-    bool isSeam = false;     ///< more than one wedge of this vertex is in use
-    bool isPlain = false;    ///< one closed fan or more of them, without a border, seam or edge of more than two faces
+    bool isSeam = false;  ///< more than one wedge of this vertex is in use
+    bool isFan = false;   ///< closed fans only, and neighbour i is the second corner of face i; never mind seams
+    bool isPlain = false; ///< a fan without a seam at or near this vertex
 
     RingFace faces[kMaxFaces];
     Neighbour neighbours[kMaxNeighbours];
@@ -55,14 +56,26 @@ public:
     }
 
     bool contains(const RingFace& face, std::uint32_t i) const { return face.second == i || face.third == i; }
-    std::uint32_t apexOf(const RingFace& face, std::uint32_t i) const { return face.second == i ? face.third : face.second; }
-    std::uint32_t wedgeOf(const RingFace& face, std::uint32_t i) const { return face.second == i ? face.wedge[1] : face.wedge[2]; }
+    std::uint32_t apexOf(const RingFace& face, std::uint32_t i) const
+    {
+        return face.second == i ? face.third : face.second;
+    }
+    std::uint32_t wedgeOf(const RingFace& face, std::uint32_t i) const
+    {
+        return face.second == i ? face.wedge[1] : face.wedge[2];
+    }
     bool isBorder() const;
 
 private:
-    bool readFaces(CollapseMesh& mesh, std::uint32_t* third);
+    /// Vertices at the faces' second and third corners.
+    struct Corners {
+        std::uint32_t second[kMaxFaces], third[kMaxFaces];
+    };
+
+    bool readFaces(const CollapseMesh& mesh, Corners& corners);
+    bool linkFan(CollapseMesh& mesh, const Corners& corners);
+    void linkAny(CollapseMesh& mesh, const Corners& corners);
     std::uint16_t note(CollapseMesh& mesh, std::uint32_t vertexNumber, std::uint32_t face);
-    std::uint16_t noteAgain(CollapseMesh& mesh, std::uint32_t vertexNumber, std::uint32_t face);
 
     std::uint64_t mFilter = 0; ///< bit n is set when some neighbour's number is n modulo 64
 };

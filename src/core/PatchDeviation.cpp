@@ -49,9 +49,11 @@ void PatchDeviation::evaluate(const OneRing& ring, const CollapseMesh& mesh, std
 /// False when the faces around the vertex are neither one fan nor the two faces of a wall.
 bool PatchDeviation::evaluateFans(std::uint32_t neighbour)
 {
+    Fan fan;
+    if (mRing->isFan && walkFan(fan, neighbour))
+        return evaluateFan(fan);
     const float* n = mMesh->faces[mRing->faces[0].face].normal;
     const Vec3 side{n[0], n[1], n[2]};
-    Fan fan;
     std::uint32_t taken = 0;
     if (collectFan(side, 0.0, fan, taken) && taken == mRing->faceCount)
         return startAt(fan, neighbour) && evaluateFan(fan);
@@ -59,6 +61,19 @@ bool PatchDeviation::evaluateFans(std::uint32_t neighbour)
         if (!collectFan(side, sign, fan, taken) || (fan.count != 0 && !(startAt(fan, neighbour) && evaluateFan(fan))))
             return false;
     return true;
+}
+
+/// The common case, where the ring knows the order. False when there are several fans.
+bool PatchDeviation::walkFan(Fan& fan, std::uint32_t neighbour) const
+{
+    fan.closed = true;
+    std::uint32_t at = neighbour;
+    do {
+        fan.spokes[fan.count] = at;
+        fan.faces[fan.count++] = at;
+        at = mRing->faces[at].third;
+    } while (at != neighbour);
+    return fan.count == mRing->faceCount;
 }
 
 /// Chains the faces on one side of a plane through the vertex (sign 0: all faces). False when they are no single fan.
@@ -146,7 +161,8 @@ std::uint32_t PatchDeviation::nearestCut(const Fan& fan) const
     std::uint32_t cut = 1;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::uint32_t i = 1; i < fan.count; ++i) {
-        const double distance = lengthSquared(nearestToOrigin(mRing->neighbours[fan.spokes[0]].edge, mRing->neighbours[fan.spokes[i]].edge));
+        const double distance = lengthSquared(
+            nearestToOrigin(mRing->neighbours[fan.spokes[0]].edge, mRing->neighbours[fan.spokes[i]].edge));
         if (distance < nearest) {
             nearest = distance;
             cut = i;
@@ -261,9 +277,11 @@ void PatchDeviation::compareAtCrossings(const Fan& fan)
     for (std::uint32_t j = 2; j + 1 < fan.count; ++j) {
         const double du = mU[j] - mU[0], dv = mV[j] - mV[0];
         const double reach = mU[0] * dv - du * mV[0];
-        for (std::uint32_t i = 1; i <= lastOld; ++i) {
+        // The new spoke lies in the angle between spokes 0 and j, and so do the old ones that can cross it.
+        const std::uint32_t first = reach > 0.0 ? 1 : j + 1, last = reach > 0.0 ? j - 1 : lastOld;
+        for (std::uint32_t i = first; i <= last; ++i) {
             const double across = mU[i] * dv - du * mV[i];
-            if (i == j || across == 0.0)
+            if (across == 0.0)
                 continue;
             const double s = reach / across;
             const double t = (mU[0] * mV[i] - mU[i] * mV[0]) / across;

@@ -32,6 +32,7 @@ private:
     };
 
     bool evaluateFans(std::uint32_t neighbour);
+    bool walkFan(Fan& fan, std::uint32_t neighbour) const;
     bool collectFan(const Vec3& side, double sign, Fan& fan, std::uint32_t& taken) const;
     bool startAt(Fan& fan, std::uint32_t neighbour) const;
     bool evaluateFan(const Fan& fan);
@@ -50,7 +51,8 @@ private:
     double mAfter[OneRing::kMaxFaces];
     double mLargest = 0.0;
     double mLost = 0.0;
-    double mU[OneRing::kMaxNeighbours], mV[OneRing::kMaxNeighbours], mZ[OneRing::kMaxNeighbours]; ///< spokes' ends in the plane, and above it
+    double mU[OneRing::kMaxNeighbours], mV[OneRing::kMaxNeighbours],
+        mZ[OneRing::kMaxNeighbours];        ///< spokes' ends in the plane, and above it
     double mOld[OneRing::kMaxFaces];        ///< of the fan's faces: bound before
     double mCovered[OneRing::kMaxFaces];    ///< ... largest bound of what it covers afterwards
     double mDifference[OneRing::kMaxFaces]; ///< ... largest difference to that

@@ -13,9 +13,10 @@ namespace {
 
 constexpr double kBorderWeight = 1.0;   // of a border's constraint plane against a face's, per squared edge length
 constexpr double kMaterialWeight = 0.5; // ... of each side of a border between submeshes
-constexpr double kSeamWeight = 0.5;     // ... of each side of a seam across which attributes jump by an edge length or more
-constexpr double kShortEdge = 1e-9;     // share of area * length^2: among flat choices the shortest edge wins
-constexpr double kFarthest = 4.0;        // a face's attributes are continued no farther than this many of its edges
+constexpr double kSeamWeight = 0.5; // ... of each side of a seam across which attributes jump by an edge length or more
+constexpr double kShortEdge = 1e-9; // share of area * length^2: among flat choices the shortest edge wins
+constexpr double kFarthest = 4.0;   // a face's attributes are continued no farther than this many of its edges
+constexpr double kAttributeShare = 1.5; // what attributes usually make of the cost of the geometry
 constexpr double kThinnest = 0.1;       // slivers below this height to length do not steepen their gradients further
 
 Vec3 normalOf(const CollapseMesh::Face& face)
@@ -47,6 +48,11 @@ void QuadricCost::begin(const CollapseMesh& mesh, const OneRing& ring)
     }
 }
 
+float QuadricCost::guess()
+{
+    return finite(kAttributeShare * *std::min_element(mBound, mBound + mRing->neighbourCount) * mImportanceFactor);
+}
+
 /// Attributes are looked at only where the geometry alone could still win.
 Candidate QuadricCost::cheapest()
 {
@@ -56,7 +62,7 @@ Candidate QuadricCost::cheapest()
             return {};
         const auto neighbour = static_cast<std::uint32_t>(best - mBound);
         if (mExact[neighbour])
-            return candidate(static_cast<int>(neighbour), *best * mImportanceFactor);
+            return {static_cast<int>(neighbour), finite(*best * mImportanceFactor)};
         mExact[neighbour] = true;
         mBound[neighbour] += attributeCost(neighbour);
     }
@@ -90,13 +96,15 @@ double QuadricCost::attributeCost(std::uint32_t neighbour)
 /// neighbour's component along the edge, times its length.
 double QuadricCost::wedgeCost(const Vec3& edge, const double* along, std::uint32_t wedge, std::uint32_t target) const
 {
-    double least = kImpossible, area = 0.0;
+    const bool isOnly = !mRing->isSeam;
+    double least = kImpossible, area = isOnly ? mArea : 0.0;
     const OneRing::RingFace* behind = nullptr;
     for (std::uint32_t i = 0; i < mRing->faceCount; ++i) {
         const OneRing::RingFace& face = mRing->faces[i];
         if (face.wedge[0] != wedge)
             continue;
-        area += mMesh->faces[face.face].area;
+        if (!isOnly)
+            area += mMesh->faces[face.face].area;
         const double sum = along[face.second] + along[face.third];
         behind = sum < least ? &face : behind;
         least = std::min(sum, least);
@@ -105,10 +113,12 @@ double QuadricCost::wedgeCost(const Vec3& edge, const double* along, std::uint32
     const CollapseMesh::Face& face = mMesh->faces[behind->face];
     const Vec3 &second = mRing->neighbours[behind->second].edge, &third = mRing->neighbours[behind->third].edge;
     const Vec3 across = cross(edge, normalOf(face));
-    const double inverse = 1.0 / std::max(2.0 * face.area, kThinnest * std::max(lengthSquared(second), lengthSquared(third)));
+    const double inverse =
+        1.0 / std::max(2.0 * face.area, kThinnest * std::max(lengthSquared(second), lengthSquared(third)));
     const auto bounded = [](double t) { return static_cast<float>(std::clamp(t, -kFarthest, kFarthest)); };
-    return area * mMesh->secondDifference(wedge, target, behind->wedge[1], bounded(dot(across, third) * inverse),
-                                          behind->wedge[2], bounded(-dot(across, second) * inverse));
+    return area
+           * mMesh->secondDifference(wedge, target, behind->wedge[1], bounded(dot(across, third) * inverse),
+                                     behind->wedge[2], bounded(-dot(across, second) * inverse));
 }
 
 /// Planes upright on the faces along borders, submesh borders and seams. The cross product carries the edge's length, so
@@ -117,7 +127,8 @@ void QuadricCost::addConstraints()
 {
     const bool manySubMeshes = mMesh->firstFaceOfSubMesh.size() > 2;
     for (std::uint32_t i = 0; i < mRing->neighbourCount; ++i) {
-        const OneRing::RingFace &first = mRing->faces[mRing->neighbours[i].firstFace], &last = mRing->faces[mRing->neighbours[i].lastFace];
+        const OneRing::RingFace &first = mRing->faces[mRing->neighbours[i].firstFace],
+                                &last = mRing->faces[mRing->neighbours[i].lastFace];
         double weight = 0.0;
         if (&first == &last)
             weight = kBorderWeight;

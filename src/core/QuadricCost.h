@@ -16,6 +16,7 @@ namespace lodsmith {
 class QuadricCost final : public CollapseCost {
 public:
     void begin(const CollapseMesh& mesh, const OneRing& ring) override;
+    float guess() override;
     Candidate cheapest() override;
     void reject(int neighbour) override { mBound[neighbour] = kImpossible; }
     double lengthOf(float cost, const CollapseMesh& mesh, const OneRing& ring) const override;

@@ -38,21 +38,28 @@ void Simplifier::prepare(std::uint32_t v, const VertexLocks& locks)
         mState[v] = kLocked;
         return;
     }
-    if (small)
-        mCost->begin(mMesh, mRing);
-    enqueue(v, small ? mCost->cheapest() : Candidate{});
+    if (!small) {
+        enqueue(v, {});
+        return;
+    }
+    // Most vertices lose a neighbour before their turn comes: it would be too early to evaluate them.
+    mCost->begin(mMesh, mRing);
+    mState[v] = kQueued | kStale;
+    mQueue.insert(mCost->guess(), v);
 }
 
 /// Faces of one submesh with the same corners and winding: all but the first. Their first vertex to be prepared sees them
 /// all, so that the ring of none prepared earlier changes.
 void Simplifier::dropRepeatedFaces()
 {
+    if (mRing.isFan)
+        return;
     const std::uint32_t before = mMesh.liveFaces;
     for (std::uint32_t i = 1; i < mRing.faceCount; ++i)
         for (std::uint32_t k = 0; k < i; ++k) {
             const OneRing::RingFace &first = mRing.faces[k], &second = mRing.faces[i];
-            if (first.second == second.second && first.third == second.third && !mMesh.isGone(mMesh.faces[second.face]) &&
-                mMesh.subMeshOfWedge(first.wedge[0]) == mMesh.subMeshOfWedge(second.wedge[0]))
+            if (first.second == second.second && first.third == second.third && !mMesh.isGone(mMesh.faces[second.face])
+                && mMesh.subMeshOfWedge(first.wedge[0]) == mMesh.subMeshOfWedge(second.wedge[0]))
                 mMesh.removeFace(second.face);
         }
     if (mMesh.liveFaces == before)

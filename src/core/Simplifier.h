@@ -35,7 +35,7 @@ struct VertexLocks {
 /// the front of the queue. Whether a collapse is allowed is asked of the one in front alone.
 class Simplifier {
 public:
-    /// Takes out repeated faces, finds borders and locked vertices, and evaluates every other vertex once.
+    /// Takes out repeated faces, finds borders and locked vertices, and queues every other vertex.
     Simplifier(CollapseMesh& mesh, std::unique_ptr<CollapseCost> cost, const VertexLocks& locks);
 
     /// Continues until the limits are met or nothing is left to collapse. `step` is called now and then; false stops.
@@ -60,8 +60,8 @@ public:
 
 private:
     enum State : std::uint8_t {
-        kQueued = 1,  ///< has an entry in the queue
-        kStale = 2,   ///< its neighbourhood changed since it was evaluated
+        kQueued = 1, ///< has an entry in the queue
+        kStale = 2,  ///< its neighbourhood changed since it was evaluated
         kLocked = 4,
         kStalled = 8, ///< had no allowed collapse when last looked at
     };
@@ -96,11 +96,11 @@ private:
     std::vector<std::uint8_t> mState;
     std::vector<std::uint32_t> mTarget; ///< destination of each vertex's cheapest collapse, as last evaluated
     std::vector<std::uint32_t> mStalled;
-    float mFrontCost = 0.0f;       ///< of the entry looked at last
-    double mLength = 0.0;          ///< the candidate's cost as a length
+    float mFrontCost = 0.0f; ///< of the entry looked at last
+    double mLength = 0.0;    ///< the candidate's cost as a length
     double mLargestDeviation = 0.0;
     double mLargestLength = 0.0;
-    bool mHeldByLimit = false;     ///< some collapse was refused by this run's limits alone
+    bool mHeldByLimit = false; ///< some collapse was refused by this run's limits alone
 };
 
 } // namespace lodsmith

@@ -25,19 +25,22 @@ std::optional<Error> troubleWith(const std::vector<LevelTarget>& targets, const 
         const double amount = targets[i].amount;
         const bool isShare = targets[i].kind == LevelTarget::Kind::Proportional;
         if (!(amount >= 0.0) || std::isinf(amount) || (isShare && amount > 1.0))
-            return Error{ErrorCode::InvalidSetting, "level " + std::to_string(i + 1) + ": the target has to be a number " +
-                                                        (isShare ? "from 0 to 1" : "of 0 or more") + ", not " + std::to_string(amount)};
+            return Error{ErrorCode::InvalidSetting,
+                         "level " + std::to_string(i + 1) + ": the target has to be a number "
+                             + (isShare ? "from 0 to 1" : "of 0 or more") + ", not " + std::to_string(amount)};
     }
     for (const float weight : {weights.normal, weights.uv, weights.colour, weights.bone})
         if (!(weight >= 0.0f && std::isfinite(weight)))
-            return Error{ErrorCode::InvalidSetting, "an attribute weight has to be a number of 0 or more, not " + std::to_string(weight)};
+            return Error{ErrorCode::InvalidSetting,
+                         "an attribute weight has to be a number of 0 or more, not " + std::to_string(weight)};
     return std::nullopt;
 }
 
 void assertWellFormed(const MeshView& view)
 {
     for (const SubMeshView& subMesh : view.subMeshes) {
-        LODSMITH_ASSERT(subMesh.vertexBuffer < view.vertexBuffers.size(), "a submesh names a vertex buffer that is not there");
+        LODSMITH_ASSERT(subMesh.vertexBuffer < view.vertexBuffers.size(),
+                        "a submesh names a vertex buffer that is not there");
         LODSMITH_ASSERT(subMesh.indexCount % 3 == 0, "a triangle list has three indices a triangle");
         LODSMITH_ASSERT(subMesh.indexBytes == 2 || subMesh.indexBytes == 4, "indices have two or four bytes");
         LODSMITH_ASSERT(subMesh.indexCount == 0 || subMesh.indices, "indices are missing");
@@ -45,7 +48,8 @@ void assertWellFormed(const MeshView& view)
     for (const VertexBufferView& buffer : view.vertexBuffers) {
         LODSMITH_ASSERT(buffer.vertexCount == 0 || buffer.positions, "positions are missing");
         for (const UvStream& uv : buffer.uvSets)
-            LODSMITH_ASSERT(uv.components >= 1 && uv.components <= 4, "a texture coordinate has one to four components");
+            LODSMITH_ASSERT(uv.components >= 1 && uv.components <= 4,
+                            "a texture coordinate has one to four components");
     }
 }
 
@@ -59,7 +63,9 @@ CollapseLimits limitsOf(const LevelTarget& target, const CollapseMesh& mesh)
     CollapseLimits limits{0, 0, kUnlimited, kUnlimited};
     const std::uint32_t vertices = mesh.summary.vertices;
     switch (target.kind) {
-    case LevelTarget::Kind::Proportional: limits.vertices = countLeft(vertices, std::round(vertices * target.amount)); break;
+    case LevelTarget::Kind::Proportional:
+        limits.vertices = countLeft(vertices, std::round(vertices * target.amount));
+        break;
     case LevelTarget::Kind::Constant: limits.vertices = countLeft(vertices, std::floor(target.amount)); break;
     case LevelTarget::Kind::Triangles:
         limits.triangles = static_cast<std::uint32_t>(std::min<double>(target.amount, mesh.summary.triangles));
@@ -75,7 +81,8 @@ std::vector<std::vector<std::uint32_t>> snapshot(const CollapseMesh& mesh)
 {
     std::vector<std::vector<std::uint32_t>> lists(mesh.firstFaceOfSubMesh.size() - 1);
     for (std::size_t s = 0; s < lists.size(); ++s) {
-        const auto begin = mesh.faces.begin() + mesh.firstFaceOfSubMesh[s], end = mesh.faces.begin() + mesh.firstFaceOfSubMesh[s + 1];
+        const auto begin = mesh.faces.begin() + mesh.firstFaceOfSubMesh[s],
+                   end = mesh.faces.begin() + mesh.firstFaceOfSubMesh[s + 1];
         const auto gone = std::count_if(begin, end, [&](const CollapseMesh::Face& face) { return mesh.isGone(face); });
         lists[s].reserve(3 * static_cast<std::size_t>(end - begin - gone));
         for (auto face = begin; face != end; ++face)
@@ -89,7 +96,8 @@ std::vector<std::vector<std::uint32_t>> snapshot(const CollapseMesh& mesh)
 /// Reports how many of the vertices that the levels ask to remove are gone.
 class Watch {
 public:
-    Watch(Progress* progress, const CollapseMesh& mesh, const std::vector<LevelTarget>& targets) : mProgress(progress), mMesh(mesh)
+    Watch(Progress* progress, const CollapseMesh& mesh, const std::vector<LevelTarget>& targets)
+        : mProgress(progress), mMesh(mesh)
     {
         for (const LevelTarget& target : targets)
             mLeast = std::min(mLeast, std::max(limitsOf(target, mesh).vertices, limitsOf(target, mesh).triangles / 2));
@@ -115,7 +123,8 @@ bool isCancelled(const Progress* progress)
     return progress && progress->cancelled();
 }
 
-Result<LodChain> run(const MeshView& view, const std::vector<LevelTarget>& targets, const SimplifyOptions& options, Progress* progress)
+Result<LodChain> run(const MeshView& view, const std::vector<LevelTarget>& targets, const SimplifyOptions& options,
+                     Progress* progress)
 {
     const Error cancelled{ErrorCode::Cancelled, "cancelled"};
     if (isCancelled(progress))
@@ -147,7 +156,8 @@ Result<LodChain> run(const MeshView& view, const std::vector<LevelTarget>& targe
             return cancelled;
         level.vertices = mesh.liveVertices;
         level.triangles = mesh.liveFaces;
-        level.deviation = mesh.liveVertices < mesh.summary.vertices ? simplifier.largestDeviation() / mesh.scale + rounding : 0.0;
+        level.deviation =
+            mesh.liveVertices < mesh.summary.vertices ? simplifier.largestDeviation() / mesh.scale + rounding : 0.0;
         level.cost = simplifier.largestLength() / mesh.scale;
         level.skipped = mesh.liveVertices == verticesBefore;
         if (!level.skipped)
@@ -162,7 +172,8 @@ Result<LodChain> run(const MeshView& view, const std::vector<LevelTarget>& targe
 
 } // namespace
 
-Result<LodChain> simplify(const MeshView& mesh, const std::vector<LevelTarget>& targets, const SimplifyOptions& options, Progress* progress)
+Result<LodChain> simplify(const MeshView& mesh, const std::vector<LevelTarget>& targets, const SimplifyOptions& options,
+                          Progress* progress)
 {
     assertWellFormed(mesh);
     if (auto error = troubleWith(targets, options.weights))

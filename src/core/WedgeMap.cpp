@@ -1,5 +1,7 @@
 #include "WedgeMap.h"
 
+#include <algorithm>
+
 namespace lodsmith {
 
 bool WedgeMap::build(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour)
@@ -31,23 +33,31 @@ bool WedgeMap::build(const CollapseMesh& mesh, const OneRing& ring, std::uint32_
     return true;
 }
 
-std::uint32_t WedgeMap::matched(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour, std::uint32_t wedge) const
+std::uint32_t WedgeMap::matched(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour,
+                                std::uint32_t wedge) const
 {
+    const OneRing::Neighbour& destination = ring.neighbours[neighbour];
     std::uint32_t best = kNone;
-    for (std::uint32_t i = 0; i < ring.faceCount; ++i) {
+    const std::uint32_t first = std::min(destination.firstFace, destination.lastFace),
+                        last = std::max(destination.firstFace, destination.lastFace);
+    const std::uint32_t step =
+        destination.faces == 2 && first != last ? last - first : 1; // most edges have these two faces only
+    for (std::uint32_t i = first; i <= last; i += step) {
         const OneRing::RingFace& face = ring.faces[i];
         if (face.wedge[0] != wedge || !ring.contains(face, neighbour))
             continue;
-        const std::uint32_t there = face.second == neighbour ? face.wedge[1] : face.wedge[2];
+        const std::uint32_t there = ring.wedgeOf(face, neighbour);
         if (mesh.subMeshOfWedge(there) != mesh.subMeshOfWedge(wedge))
             continue;
-        if (best == kNone || (best != there && mesh.attributeDistance(wedge, there) < mesh.attributeDistance(wedge, best)))
+        if (best == kNone
+            || (best != there && mesh.attributeDistance(wedge, there) < mesh.attributeDistance(wedge, best)))
             best = there;
     }
     return best;
 }
 
-std::uint32_t WedgeMap::nearest(const CollapseMesh& mesh, std::uint32_t vertex, std::uint32_t wedge, std::uint32_t motion)
+std::uint32_t WedgeMap::nearest(const CollapseMesh& mesh, std::uint32_t vertex, std::uint32_t wedge,
+                                std::uint32_t motion)
 {
     std::uint32_t best = kNone;
     double bestDistance = 0.0;
@@ -64,7 +74,8 @@ std::uint32_t WedgeMap::nearest(const CollapseMesh& mesh, std::uint32_t vertex, 
 }
 
 /// The motion that a wedge takes on at the destination: that of the faces on the edge with its own motion; kNone without any.
-std::uint32_t WedgeMap::motionThere(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour, std::uint32_t wedge)
+std::uint32_t WedgeMap::motionThere(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour,
+                                    std::uint32_t wedge)
 {
     for (std::uint32_t i = 0; i < ring.faceCount; ++i)
         if (ring.contains(ring.faces[i], neighbour) && mesh.motionOf(ring.faces[i].wedge[0]) == mesh.motionOf(wedge))
@@ -76,9 +87,10 @@ std::uint32_t WedgeMap::motionThere(const CollapseMesh& mesh, const OneRing& rin
 bool WedgeMap::motionAllows(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour)
 {
     const auto isSplit = [&](std::uint32_t i) {
-        const OneRing::RingFace &a = ring.faces[ring.neighbours[i].firstFace], &b = ring.faces[ring.neighbours[i].lastFace];
-        return mesh.motionOf(a.wedge[0]) != mesh.motionOf(b.wedge[0]) ||
-               mesh.motionOf(ring.wedgeOf(a, i)) != mesh.motionOf(ring.wedgeOf(b, i));
+        const OneRing::RingFace &a = ring.faces[ring.neighbours[i].firstFace],
+                                &b = ring.faces[ring.neighbours[i].lastFace];
+        return mesh.motionOf(a.wedge[0]) != mesh.motionOf(b.wedge[0])
+               || mesh.motionOf(ring.wedgeOf(a, i)) != mesh.motionOf(ring.wedgeOf(b, i));
     };
     std::uint32_t splits = 0;
     for (std::uint32_t i = 0; i < ring.neighbourCount; ++i)

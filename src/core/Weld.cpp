@@ -11,9 +11,9 @@ namespace lodsmith {
 
 namespace {
 
-constexpr float kLargest = 1e18f; // the square of a length stays inside a float
+constexpr float kLargest = 1e18f;               // the square of a length stays inside a float
 constexpr float kBoneTolerance = 1.0f / 256.0f; // what exporters round away
-constexpr float kOffsetTolerance = 1e-5f; // share of the offset; what exporters round away
+constexpr float kOffsetTolerance = 1e-5f;       // share of the offset; what exporters round away
 constexpr std::uint32_t kExtra = 0x80000000u;   // marks a further wedge while the number of vertices is not known yet
 
 using Position = std::array<float, 3>;
@@ -59,8 +59,8 @@ float weightOf(const BoneInfluences& influences, std::uint16_t bone)
 bool sameBones(const BoneInfluences& a, const BoneInfluences& b)
 {
     for (int i = 0; i < 4; ++i)
-        if (std::abs(weightOf(a, a.bone[i]) - weightOf(b, a.bone[i])) > kBoneTolerance ||
-            std::abs(weightOf(a, b.bone[i]) - weightOf(b, b.bone[i])) > kBoneTolerance)
+        if (std::abs(weightOf(a, a.bone[i]) - weightOf(b, a.bone[i])) > kBoneTolerance
+            || std::abs(weightOf(a, b.bone[i]) - weightOf(b, b.bone[i])) > kBoneTolerance)
             return false;
     return true;
 }
@@ -82,7 +82,8 @@ Position offsetOf(const BufferVertex& v, std::size_t pose)
 bool sameMotion(const BufferVertex& a, const BufferVertex& b)
 {
     const BoneInfluences none;
-    if (!sameBones(a.buffer->bones ? a.buffer->bones[a.index] : none, b.buffer->bones ? b.buffer->bones[b.index] : none))
+    if (!sameBones(a.buffer->bones ? a.buffer->bones[a.index] : none,
+                   b.buffer->bones ? b.buffer->bones[b.index] : none))
         return false;
     const std::size_t poses = std::max(a.buffer->offsets.size(), b.buffer->offsets.size());
     for (std::size_t pose = 0; pose < poses; ++pose) {
@@ -96,9 +97,9 @@ bool sameMotion(const BufferVertex& a, const BufferVertex& b)
 
 bool sameAttributes(const VertexBufferView& buffer, std::uint32_t a, std::uint32_t b)
 {
-    return sameTuple(buffer.normals, a, b, 3) && sameTuple(buffer.colours, a, b, 4) &&
-           std::all_of(buffer.uvSets.begin(), buffer.uvSets.end(),
-                       [&](const UvStream& uv) { return sameTuple(uv.stream, a, b, uv.components); });
+    return sameTuple(buffer.normals, a, b, 3) && sameTuple(buffer.colours, a, b, 4)
+           && std::all_of(buffer.uvSets.begin(), buffer.uvSets.end(),
+                          [&](const UvStream& uv) { return sameTuple(uv.stream, a, b, uv.components); });
 }
 
 bool finiteTuple(const FloatStream& stream, std::uint32_t index, int count)
@@ -176,8 +177,12 @@ private:
         const std::uint32_t index = subMesh.index(at);
         if (index >= buffer.vertexCount)
             return Error{ErrorCode::IndexOutOfRange,
-                         "index " + std::to_string(index) + " in a buffer of " + std::to_string(buffer.vertexCount) + " vertices",
-                         {}, -1, subMeshNumber, at};
+                         "index " + std::to_string(index) + " in a buffer of " + std::to_string(buffer.vertexCount)
+                             + " vertices",
+                         {},
+                         -1,
+                         subMeshNumber,
+                         at};
         std::uint32_t& known = mWedgeOf[subMesh.vertexBuffer][index];
         const auto number = static_cast<std::uint32_t>(subMeshNumber);
         if (known == kNone) {
@@ -224,7 +229,8 @@ private:
     {
         const Position position = readPosition(bufferOf(subMesh), index);
         std::size_t slot = hashOf(position) & (mSlots.size() - 1);
-        while (mSlots[slot] != kNone && std::memcmp(mMesh.vertices[mSlots[slot]].position, position.data(), sizeof position) != 0)
+        while (mSlots[slot] != kNone
+               && std::memcmp(mMesh.vertices[mSlots[slot]].position, position.data(), sizeof position) != 0)
             slot = (slot + 1) & (mSlots.size() - 1);
         if (mSlots[slot] != kNone)
             return addToVertex(mSlots[slot], subMesh, index);
@@ -261,7 +267,10 @@ private:
         return wedge;
     }
 
-    const VertexBufferView& bufferOf(std::uint32_t subMesh) const { return mView.vertexBuffers[mView.subMeshes[subMesh].vertexBuffer]; }
+    const VertexBufferView& bufferOf(std::uint32_t subMesh) const
+    {
+        return mView.vertexBuffers[mView.subMeshes[subMesh].vertexBuffer];
+    }
 
     void noteImportance(std::uint32_t vertex, std::uint32_t subMesh, std::uint32_t index)
     {

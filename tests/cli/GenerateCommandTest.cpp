@@ -220,9 +220,9 @@ TEST_F(GenerateCommandTest, twoRunsMakeTheSameBytes)
 
 TEST_F(GenerateCommandTest, outputThatCannotBeWrittenIsAFailure)
 {
-    const std::string command =
-        std::string(LODSMITH_PROGRAM) + " generate " + torus("a.mesh") + " -o " + in("b.mesh") + " --json > /dev/full";
-    EXPECT_EQ(test::runProgram({"sh", "-c", command}).exitCode, 1);
+    const std::string command = "\"$0\" generate \"$1\" -o \"$2\" --json > /dev/full";
+    const Outcome outcome = test::runProgram({"sh", "-c", command, LODSMITH_PROGRAM, torus("a.mesh"), in("b.mesh")});
+    EXPECT_EQ(outcome.exitCode, 1);
 }
 
 TEST_F(GenerateCommandTest, realMeshesOfOthers)

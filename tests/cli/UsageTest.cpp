@@ -107,7 +107,7 @@ TEST(Usage, wrongOptionsAreNamedAndNothingIsDone)
 
 TEST(Usage, helpThatCannotBeWrittenIsAFailure)
 {
-    EXPECT_EQ(test::runProgram({"sh", "-c", std::string(LODSMITH_PROGRAM) + " --help > /dev/full"}).exitCode, 1);
+    EXPECT_EQ(test::runProgram({"sh", "-c", "\"$0\" --help > /dev/full", LODSMITH_PROGRAM}).exitCode, 1);
 }
 
 } // namespace lodsmith::cli

@@ -31,8 +31,8 @@ struct LodChainLevel {
 
 /// What was left out of the generated levels because it draws nothing. The input itself is never changed.
 struct CleaningReport {
-    std::uint32_t degenerateTriangles = 0; ///< two corners at one position
-    std::uint32_t repeatedTriangles = 0;   ///< same submesh, same three positions, same winding as an earlier one
+    std::uint32_t degenerateTriangles = 0;  ///< two corners at one position
+    std::uint32_t repeatedTriangles = 0;    ///< same submesh, same three positions, same winding as an earlier one
     std::uint32_t unreferencedVertices = 0; ///< buffer vertices that no triangle uses
 };
 

@@ -18,7 +18,8 @@ struct FloatStream {
     /// Copies `count` floats of vertex `index` to `out`.
     void read(std::size_t index, int count, float* out) const
     {
-        std::memcpy(out, static_cast<const char*>(data) + index * stride, sizeof(float) * static_cast<std::size_t>(count));
+        std::memcpy(out, static_cast<const char*>(data) + index * stride,
+                    sizeof(float) * static_cast<std::size_t>(count));
     }
 };
 
@@ -40,10 +41,10 @@ struct VertexBufferView {
     FloatStream positions; ///< 3 floats, world units; must not be null when vertexCount > 0
     FloatStream normals;   ///< 3 floats, any length; null for none
     std::vector<UvStream> uvSets;
-    FloatStream colours;                          ///< 4 floats r, g, b, a, 0..1; null for none
-    const BoneInfluences* bones = nullptr;        ///< vertexCount entries; null for none
-    std::vector<FloatStream> offsets;             ///< 3 floats each: how far a pose or morph frame moves the vertex, world units
-    FloatStream importance;                       ///< 1 float, 0..1: deviation counts 1/(1-x) times as much here; 1 locks the vertex
+    FloatStream colours;                   ///< 4 floats r, g, b, a, 0..1; null for none
+    const BoneInfluences* bones = nullptr; ///< vertexCount entries; null for none
+    std::vector<FloatStream> offsets; ///< 3 floats each: how far a pose or morph frame moves the vertex, world units
+    FloatStream importance; ///< 1 float, 0..1: deviation counts 1/(1-x) times as much here; 1 locks the vertex
 };
 
 /// A triangle list into one vertex buffer: three consecutive indices a triangle, counter-clockwise front.
@@ -55,7 +56,8 @@ struct SubMeshView {
 
     std::uint32_t index(std::size_t i) const
     {
-        return indexBytes == 2 ? static_cast<const std::uint16_t*>(indices)[i] : static_cast<const std::uint32_t*>(indices)[i];
+        return indexBytes == 2 ? static_cast<const std::uint16_t*>(indices)[i]
+                               : static_cast<const std::uint32_t*>(indices)[i];
     }
 };
 

@@ -29,10 +29,10 @@ LODSMITH_API const char* toString(ErrorCode code);
 /// Bad data, said so that a person can mend it: what, where, and what was expected.
 struct Error {
     ErrorCode code = ErrorCode::InvalidGeometry;
-    std::string message;   ///< one sentence, without the place
-    std::string file{};    ///< file or resource name, empty when not known
-    int line = -1;         ///< line in a text file, from 1; -1 when not known
-    int subMesh = -1;      ///< submesh number, from 0; -1 when not known
+    std::string message;    ///< one sentence, without the place
+    std::string file{};     ///< file or resource name, empty when not known
+    int line = -1;          ///< line in a text file, from 1; -1 when not known
+    int subMesh = -1;       ///< submesh number, from 0; -1 when not known
     std::int64_t item = -1; ///< vertex or index number, from 0; -1 when not known
 };
 
