@@ -156,8 +156,9 @@ Result<LodChain> run(const MeshView& view, const std::vector<LevelTarget>& targe
             return cancelled;
         level.vertices = mesh.liveVertices;
         level.triangles = mesh.liveFaces;
-        level.deviation =
-            mesh.liveVertices < mesh.summary.vertices ? simplifier.largestDeviation() / mesh.scale + rounding : 0.0;
+        if (mesh.liveVertices
+            < mesh.summary.vertices) // two points of one mesh are never farther apart than its diameter
+            level.deviation = std::min(simplifier.largestDeviation() / mesh.scale + rounding, 2.0 * chain.radius);
         level.cost = simplifier.largestLength() / mesh.scale;
         level.skipped = mesh.liveVertices == verticesBefore;
         if (!level.skipped)

@@ -51,7 +51,7 @@ public:
 
     T& value() & { return LODSMITH_ASSERT(ok(), "Result holds an error"), *std::get_if<0>(&mState); }
     const T& value() const& { return LODSMITH_ASSERT(ok(), "Result holds an error"), *std::get_if<0>(&mState); }
-    T&& value() && { return LODSMITH_ASSERT(ok(), "Result holds an error"), std::move(*std::get_if<0>(&mState)); }
+    T value() && { return LODSMITH_ASSERT(ok(), "Result holds an error"), std::move(*std::get_if<0>(&mState)); }
     const Error& error() const { return LODSMITH_ASSERT(!ok(), "Result holds a value"), *std::get_if<1>(&mState); }
 
 private:

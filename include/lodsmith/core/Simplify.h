@@ -52,12 +52,13 @@ struct SimplifyOptions {
 /// Simplifies a mesh by half-edge collapse and returns one level for each target, from a single pass.
 ///
 /// The vertex buffers stay as they are: a level is a set of index lists into them. All wedges of a position move
-/// together, so the levels have no cracks; no level has a flipped, degenerate or doubled triangle, a hole or a
-/// non-manifold edge that the input did not have. A target that cannot be reached is no error: the level holds what
+/// together, so the levels have no cracks; no level has a degenerate or doubled triangle, a hole or a non-manifold edge
+/// that the input did not have, and no collapse turns a triangle by more than 78 degrees. A target that cannot be reached is no error: the level holds what
 /// could be done and says why it stopped.
 ///
 /// Errors: InvalidSetting (a target or weight out of range or not a number), InvalidGeometry (a referenced position or
-/// attribute is not finite, a position is beyond +-1e18, an importance outside 0..1), IndexOutOfRange, Cancelled, OutOfMemory; with submesh and index where there is one.
+/// attribute is not finite, a position is beyond +-1e18, an importance outside 0..1), IndexOutOfRange, Cancelled,
+/// OutOfMemory; with submesh and index where there is one.
 /// Deterministic: the same input gives the same bytes on every run, compiler and optimisation level.
 /// Thread-safe for different meshes, and for one mesh that nobody changes; throws nothing.
 ///
