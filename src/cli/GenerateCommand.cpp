@@ -165,6 +165,7 @@ int runGenerate(GenerateArguments& arguments)
     resolveLevels(arguments);
     const std::vector<PlannedFile> plan = planFiles(arguments);
     std::vector<BatchJob> jobs;
+    jobs.reserve(plan.size());
     for (const PlannedFile& file : plan)
         jobs.push_back(makeJob(file, arguments.settings));
     return runBatch(jobs, arguments.batch, [&](std::size_t job, const Result<Json>& outcome) {

@@ -28,7 +28,7 @@ struct ImportArguments {
 
 fs::path outputOf(const ImportArguments& arguments)
 {
-    const fs::path renamed = fs::path(arguments.model).replace_extension(".mesh");
+    fs::path renamed = fs::path(arguments.model).replace_extension(".mesh");
     std::error_code ignored;
     if (arguments.output.empty())
         return renamed;

@@ -12,8 +12,6 @@
 #include <cstdio>
 #include <memory>
 
-namespace fs = std::filesystem;
-
 namespace lodsmith::cli {
 
 namespace {

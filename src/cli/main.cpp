@@ -16,9 +16,7 @@ constexpr const char* kFooter = R"(Examples:
 Exit status: 0 done, 1 some inputs failed, 2 the command line is wrong.
 )";
 
-} // namespace
-
-int main(int argc, char** argv)
+int run(int argc, char** argv)
 {
     int exitCode = lodsmith::cli::kExitDone;
     CLI::App app(kDescription, "lodsmith");
@@ -39,8 +37,19 @@ int main(int argc, char** argv)
     } catch (const CLI::ParseError& error) {
         std::fprintf(stderr, "lodsmith: %s\nlodsmith --help says what is possible.\n", error.what());
         return lodsmith::cli::kExitUsage;
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    try {
+        return run(argc, argv);
     } catch (const std::exception& exception) {
         std::fprintf(stderr, "lodsmith: %s\n", exception.what());
-        return lodsmith::cli::kExitFailed;
+    } catch (...) {
+        std::fprintf(stderr, "lodsmith: an unknown error\n");
     }
+    return lodsmith::cli::kExitFailed;
 }

@@ -20,10 +20,10 @@ namespace {
 
 using IndexDataPtr = std::unique_ptr<Ogre::IndexData>;
 
-IndexDataPtr makeIndexData(Ogre::HardwareIndexBufferSharedPtr buffer, std::size_t start, std::size_t count)
+IndexDataPtr makeIndexData(const Ogre::HardwareIndexBufferSharedPtr& buffer, std::size_t start, std::size_t count)
 {
     IndexDataPtr data(OGRE_NEW Ogre::IndexData());
-    data->indexBuffer = std::move(buffer);
+    data->indexBuffer = buffer;
     data->indexStart = start;
     data->indexCount = count;
     return data;
