@@ -92,9 +92,9 @@ void OneRing::linkAny(CollapseMesh& mesh, const Corners& corners)
 {
     mFilter = 0;
     for (std::uint32_t i = 0; i < faceCount; ++i)
-        faces[i].second = note(mesh, corners.second[i], i);
+        faces[i].second = note(mesh, corners.second[i], i); // NOLINT(clang-analyzer-core.CallAndMessage): readFaces() filled it
     for (std::uint32_t i = 0; i < faceCount; ++i)
-        faces[i].third = note(mesh, corners.third[i], i);
+        faces[i].third = note(mesh, corners.third[i], i); // NOLINT(clang-analyzer-core.CallAndMessage): and this
 }
 
 std::uint16_t OneRing::note(CollapseMesh& mesh, std::uint32_t vertexNumber, std::uint32_t face)
