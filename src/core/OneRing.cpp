@@ -88,13 +88,14 @@ bool OneRing::linkFan(CollapseMesh& mesh, const Corners& corners)
     return true;
 }
 
+/// The corners up to faceCount are filled in by readFaces(); the analyzer loses sight of that.
 void OneRing::linkAny(CollapseMesh& mesh, const Corners& corners)
 {
     mFilter = 0;
     for (std::uint32_t i = 0; i < faceCount; ++i)
-        faces[i].second = note(mesh, corners.second[i], i); // NOLINT(clang-analyzer-core.CallAndMessage): readFaces() filled it
+        faces[i].second = note(mesh, corners.second[i], i); // NOLINT(clang-analyzer-core.CallAndMessage)
     for (std::uint32_t i = 0; i < faceCount; ++i)
-        faces[i].third = note(mesh, corners.third[i], i); // NOLINT(clang-analyzer-core.CallAndMessage): and this
+        faces[i].third = note(mesh, corners.third[i], i); // NOLINT(clang-analyzer-core.CallAndMessage)
 }
 
 std::uint16_t OneRing::note(CollapseMesh& mesh, std::uint32_t vertexNumber, std::uint32_t face)
