@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ClosestPoint.h"
+#include "../core/ClosestPoint.h"
 #include "WeldedMesh.h"
 
 #include <lodsmith/core/MeshView.h>

@@ -33,6 +33,9 @@ public:
     /// A cost as a length, scaled units.
     virtual double lengthOf(float cost, const CollapseMesh& mesh, const OneRing& ring) const = 0;
 
+    /// The other way round: what it costs when `area` of the surface is off by this length, scaled units.
+    virtual float costOf(double length, double area) const = 0;
+
 protected:
     static constexpr double kImpossible = std::numeric_limits<double>::infinity();
 

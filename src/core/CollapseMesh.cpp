@@ -1,6 +1,8 @@
 #include "CollapseMesh.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace lodsmith {
 
@@ -9,6 +11,13 @@ namespace {
 constexpr std::uint32_t kPrefetched = 12; // faces a vertex, at most
 constexpr std::uint32_t kListSlack =
     2; // a collapse between vertices of ordinary valence adds two faces to the destination
+
+/// Down to a float, never below.
+float roundUp(double bound)
+{
+    const auto rounded = static_cast<float>(bound);
+    return rounded < bound ? std::nextafter(rounded, std::numeric_limits<float>::max()) : rounded;
+}
 
 } // namespace
 
@@ -168,13 +177,16 @@ void CollapseMesh::compactAllFaceLists()
     mFaceLists.swap(packed);
 }
 
-void CollapseMesh::raiseDeviation(std::uint32_t vertex, float deviation)
+void CollapseMesh::raiseFaceDeviation(std::uint32_t face, double deviation)
+{
+    faces[face].deviation = std::max(faces[face].deviation, roundUp(deviation));
+}
+
+void CollapseMesh::raiseDeviation(std::uint32_t vertex, double deviation)
 {
     compactFaceList(vertex);
-    for (std::uint32_t i = 0; i < vertices[vertex].faceSlots; ++i) {
-        Face& face = faces[faceList(vertex)[i]];
-        face.deviation = std::max(face.deviation, deviation);
-    }
+    for (std::uint32_t i = 0; i < vertices[vertex].faceSlots; ++i)
+        raiseFaceDeviation(faceList(vertex)[i], deviation);
 }
 
 void CollapseMesh::removeFace(std::uint32_t number)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ClosestPoint.h"
 #include "Prefetch.h"
 #include "Vec3.h"
 
@@ -49,6 +50,11 @@ public:
         const float* p = vertices[vertex].position;
         return {p[0], p[1], p[2]};
     }
+    Corners cornersOf(const Face& face) const
+    {
+        return {position(vertexOf(face.wedge[0])), position(vertexOf(face.wedge[1])),
+                position(vertexOf(face.wedge[2]))};
+    }
     bool isAlive(std::uint32_t vertex) const { return vertices[vertex].liveFaces != 0; }
     bool isGone(const Face& face) const { return face.wedge[0] == kNone; }
     std::uint32_t subMeshOfWedge(std::uint32_t wedge) const { return wedgeSubMesh.empty() ? 0 : wedgeSubMesh[wedge]; }
@@ -86,8 +92,9 @@ public:
     /// Gives the remaining faces of a vertex to another; the first is gone with that.
     void moveFaces(std::uint32_t from, std::uint32_t to, const std::uint32_t* moved, std::uint32_t count);
 
-    /// Lets the faces of a vertex have at least this bound on their deviation.
-    void raiseDeviation(std::uint32_t vertex, float deviation);
+    /// Lets a face, or those of a vertex, have at least this bound on their deviation.
+    void raiseFaceDeviation(std::uint32_t face, double deviation);
+    void raiseDeviation(std::uint32_t vertex, double deviation);
 
     /// Takes a face out; vertices left without a face are gone with it.
     void removeFace(std::uint32_t face);

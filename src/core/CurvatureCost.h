@@ -14,6 +14,7 @@ public:
     Candidate cheapest() override;
     void reject(int neighbour) override { mCosts[neighbour] = kImpossible; }
     double lengthOf(float cost, const CollapseMesh&, const OneRing&) const override { return cost; }
+    float costOf(double length, double) const override { return finite(length); }
 
 private:
     double bend(std::uint32_t neighbour) const;

@@ -20,6 +20,7 @@ public:
     Candidate cheapest() override;
     void reject(int neighbour) override { mBound[neighbour] = kImpossible; }
     double lengthOf(float cost, const CollapseMesh& mesh, const OneRing& ring) const override;
+    float costOf(double length, double area) const override { return finite(area * length * length); }
 
 private:
     void addConstraints();

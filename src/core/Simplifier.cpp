@@ -10,16 +10,10 @@ namespace {
 
 constexpr std::uint32_t kCacheSize = 8192; // vertices of a mesh that fits the second-level cache whole
 
-float roundUp(double bound)
-{
-    const auto rounded = static_cast<float>(bound);
-    return rounded < bound ? std::nextafter(rounded, std::numeric_limits<float>::max()) : rounded;
-}
-
 } // namespace
 
 Simplifier::Simplifier(CollapseMesh& mesh, std::unique_ptr<CollapseCost> cost, const VertexLocks& locks)
-    : mMesh(mesh), mCost(std::move(cost)), mOnBorder(mesh.vertexCount(), 0), mCheck(mesh, mOnBorder),
+    : mMesh(mesh), mCost(std::move(cost)), mOnBorder(mesh.vertexCount(), 0), mCheck(mesh, mOnBorder), mPieces(mesh),
       mState(mesh.vertexCount(), 0), mTarget(mesh.vertexCount(), kNone)
 {
     for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v)
@@ -39,7 +33,7 @@ void Simplifier::prepare(std::uint32_t v, const VertexLocks& locks)
         return;
     }
     if (!small) {
-        enqueue(v, {});
+        stall(v);
         return;
     }
     // Most vertices lose a neighbour before their turn comes: it would be too early to evaluate them.
@@ -68,17 +62,18 @@ void Simplifier::dropRepeatedFaces()
     mRing.build(mMesh, mRing.vertex);
 }
 
-void Simplifier::enqueue(std::uint32_t vertex, const Candidate& candidate)
+/// Sets aside a vertex that can neither be collapsed nor vanish.
+void Simplifier::stall(std::uint32_t vertex)
 {
-    mState[vertex] &= static_cast<std::uint8_t>(~(kStale | kStalled));
-    if (candidate.neighbour < 0) {
-        mState[vertex] |= kStalled;
-        mStalled.push_back(vertex);
-        return;
-    }
-    mTarget[vertex] = mRing.neighbours[candidate.neighbour].vertex;
-    mState[vertex] |= kQueued;
-    mQueue.insert(candidate.cost, vertex);
+    mState[vertex] = kStalled;
+    mStalled.push_back(vertex);
+}
+
+void Simplifier::enqueue(std::uint32_t vertex, std::uint32_t target, float cost)
+{
+    mTarget[vertex] = target;
+    mState[vertex] = kQueued;
+    mQueue.insert(cost, vertex);
 }
 
 bool Simplifier::reached(const CollapseLimits& limits) const
@@ -127,13 +122,17 @@ void Simplifier::advance(const CollapseLimits& limits)
         return;
     mFrontCost = front.cost;
     if (!mRing.build(mMesh, v)) {
-        enqueue(v, {});
+        stall(v);
         return;
     }
     const bool stale = mState[v] & kStale;
+    if (!stale && mTarget[v] == v) {
+        removePiece(limits);
+        return;
+    }
     Candidate candidate = stale ? evaluated() : Candidate{static_cast<int>(mRing.find(mMesh, mTarget[v])), front.cost};
     if (stale && candidate.neighbour >= 0 && !isFront(candidate.cost)) {
-        enqueue(v, candidate);
+        enqueue(candidate);
         return;
     }
     if (candidate.neighbour >= 0 && allowed(limits, candidate)) {
@@ -146,10 +145,40 @@ void Simplifier::advance(const CollapseLimits& limits)
         mCost->reject(candidate.neighbour);
         candidate = mCost->cheapest();
     }
-    if (candidate.neighbour >= 0 && isFront(candidate.cost))
+    if (candidate.neighbour < 0)
+        removePiece(limits);
+    else if (isFront(candidate.cost))
         collapse(candidate);
     else
-        enqueue(v, candidate);
+        enqueue(candidate);
+}
+
+/// What no collapse can make smaller may vanish as a whole. Such an entry of the queue has its own vertex for a target.
+void Simplifier::removePiece(const CollapseLimits& limits)
+{
+    const std::uint32_t v = mRing.vertex;
+    double importance = 0.0;
+    bool mayVanish = mPieces.find(v);
+    for (std::uint32_t vertex : mPieces.vertices()) {
+        mayVanish = mayVanish && !(mState[vertex] & kLocked);
+        importance = std::max<double>(importance, mMesh.importance.empty() ? 0.0 : mMesh.importance[vertex]);
+    }
+    if (!mayVanish) {
+        stall(v);
+        return;
+    }
+    const double length = mPieces.distance() / (1.0 - importance);
+    const float cost = mCost->costOf(length, mPieces.area());
+    if (mPieces.deviation() > limits.deviation || length > limits.length) {
+        mHeldByLimit = true;
+        stall(v);
+    } else if (!isFront(cost)) {
+        enqueue(v, v, cost);
+    } else {
+        mPieces.remove();
+        mLargestDeviation = std::max(mLargestDeviation, mPieces.deviation());
+        mLargestLength = std::max(mLargestLength, length);
+    }
 }
 
 Candidate Simplifier::evaluated()
@@ -196,14 +225,15 @@ void Simplifier::moveFaces(std::uint32_t neighbour)
         }
         CollapseMesh::Face& face = mMesh.faces[ringFace.face];
         face.wedge[ringFace.corner] = mWedges(ringFace.wedge[0]);
-        face.deviation = roundUp(mPatchDeviation.of(i));
+        face.deviation = 0.0f;
+        mMesh.raiseFaceDeviation(ringFace.face, mPatchDeviation.of(i));
         mMesh.updatePlane(face);
         moved[count++] = ringFace.face;
     }
     const std::uint32_t destination = mRing.neighbours[neighbour].vertex;
     mMesh.moveFaces(mRing.vertex, destination, moved, count);
     if (mPatchDeviation.lost() > 0.0)
-        mMesh.raiseDeviation(destination, roundUp(mPatchDeviation.lost()));
+        mMesh.raiseDeviation(destination, mPatchDeviation.lost());
 }
 
 void Simplifier::touchRing()

@@ -6,6 +6,7 @@
 #include "CostMultiset.h"
 #include "OneRing.h"
 #include "PatchDeviation.h"
+#include "PieceRemoval.h"
 #include "WedgeMap.h"
 
 #include <lodsmith/core/LodChain.h>
@@ -72,7 +73,13 @@ private:
     void requeueStalled();
     void advance(const CollapseLimits& limits);
     void prefetchAhead() const;
-    void enqueue(std::uint32_t vertex, const Candidate& candidate);
+    void stall(std::uint32_t vertex);
+    void enqueue(std::uint32_t vertex, std::uint32_t target, float cost);
+    void enqueue(const Candidate& candidate)
+    {
+        enqueue(mRing.vertex, mRing.neighbours[candidate.neighbour].vertex, candidate.cost);
+    }
+    void removePiece(const CollapseLimits& limits);
     Candidate evaluated();
     bool allowed(const CollapseLimits& limits, const Candidate& candidate);
     bool withinLimits(const CollapseLimits& limits, const Candidate& candidate);
@@ -89,12 +96,14 @@ private:
     std::unique_ptr<CollapseCost> mCost;
     std::vector<char> mOnBorder;
     CollapseCheck mCheck;
+    PieceRemoval mPieces;
     CostMultiset mQueue;
     PatchDeviation mPatchDeviation;
     OneRing mRing;
     WedgeMap mWedges;
     std::vector<std::uint8_t> mState;
-    std::vector<std::uint32_t> mTarget; ///< destination of each vertex's cheapest collapse, as last evaluated
+    std::vector<std::uint32_t>
+        mTarget; ///< destination of each vertex's cheapest collapse, as last evaluated; itself when its piece is to vanish
     std::vector<std::uint32_t> mStalled;
     float mFrontCost = 0.0f; ///< of the entry looked at last
     double mLength = 0.0;    ///< the candidate's cost as a length

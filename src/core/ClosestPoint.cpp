@@ -1,8 +1,9 @@
 #include "ClosestPoint.h"
 
 #include <algorithm>
+#include <limits>
 
-namespace lodsmith::analysis {
+namespace lodsmith {
 
 namespace {
 
@@ -23,10 +24,13 @@ TrianglePoint closestPointOnSide(const Vec3& point, const Corners& corners, int 
     return measured(point, corners, weights);
 }
 
-TrianglePoint closestPointOnSides(const Vec3& point, const Corners& corners)
+/// Side i goes from corner i to the next. A point that is outside of some sides is closest to a point of one of those.
+TrianglePoint closestPointOnSides(const Vec3& point, const Corners& corners, const std::array<bool, 3>& isOutsideOf)
 {
-    TrianglePoint best = closestPointOnSide(point, corners, 0);
-    for (int side = 1; side < 3; ++side) {
+    TrianglePoint best{std::numeric_limits<double>::infinity(), {}};
+    for (int side = 0; side < 3; ++side) {
+        if (!isOutsideOf[static_cast<std::size_t>(side)])
+            continue;
         const TrianglePoint candidate = closestPointOnSide(point, corners, side);
         if (candidate.squaredDistance < best.squaredDistance)
             best = candidate;
@@ -57,18 +61,21 @@ TrianglePoint closestPointOnTriangle(const Vec3& point, const Corners& corners)
     const double squaredArea = lengthSquared(normal);
     const double scale = lengthSquared(ab) * lengthSquared(ac);
     if (squaredArea <= scale * 1e-24)
-        return closestPointOnSides(point, corners);
+        return closestPointOnSides(point, corners, {true, true, true});
 
     const double towardsB = dot(cross(ap, ac), normal) / squaredArea;
     const double towardsC = dot(cross(ab, ap), normal) / squaredArea;
     const double towardsA = 1.0 - towardsB - towardsC;
-    if (towardsA < 0.0 || towardsB < 0.0 || towardsC < 0.0)
-        return closestPointOnSides(point, corners);
+    const bool isInside = towardsA >= 0.0 && towardsB >= 0.0 && towardsC >= 0.0;
+    const bool isThin = squaredArea <= scale * 1e-12;
+    if (!isInside)
+        return isThin ? closestPointOnSides(point, corners, {true, true, true})
+                      : closestPointOnSides(point, corners, {towardsC < 0.0, towardsA < 0.0, towardsB < 0.0});
     const TrianglePoint inside = measured(point, corners, {towardsA, towardsB, towardsC});
-    if (squaredArea > scale * 1e-12)
+    if (!isThin)
         return inside;
-    const TrianglePoint onSides = closestPointOnSides(point, corners);
+    const TrianglePoint onSides = closestPointOnSides(point, corners, {true, true, true});
     return inside.squaredDistance <= onSides.squaredDistance ? inside : onSides;
 }
 
-} // namespace lodsmith::analysis
+} // namespace lodsmith

@@ -1,10 +1,12 @@
 #pragma once
 
-#include "../core/Vec3.h"
+#include "Vec3.h"
+
+#include <lodsmith/core/Export.h>
 
 #include <array>
 
-namespace lodsmith::analysis {
+namespace lodsmith {
 
 /// Shares of a triangle's three corners in a point of it: none negative, sum 1.
 using Barycentric = std::array<double, 3>;
@@ -25,9 +27,9 @@ struct TrianglePoint {
 /// the triangle's length, on others it is right to double precision.
 /// After Ericson, "Real-Time Collision Detection" (2005), section 5.1.5; the three sides are searched besides where the
 /// triangle is so thin that the regions cannot be trusted.
-TrianglePoint closestPointOnTriangle(const Vec3& point, const Corners& corners);
+LODSMITH_API TrianglePoint closestPointOnTriangle(const Vec3& point, const Corners& corners);
 
 /// Whether the box around a triangle is farther away than this: a quick way to leave a triangle out.
-bool boxIsFarther(const Vec3& point, const Corners& corners, double squaredDistance);
+LODSMITH_API bool boxIsFarther(const Vec3& point, const Corners& corners, double squaredDistance);
 
-} // namespace lodsmith::analysis
+} // namespace lodsmith

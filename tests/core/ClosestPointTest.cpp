@@ -7,7 +7,6 @@
 #include <algorithm>
 
 using namespace lodsmith;
-using namespace lodsmith::analysis;
 using lodsmith::test::TestRandom;
 
 namespace {
