@@ -319,6 +319,16 @@ void checkMonotone(LevelCheck& check, const LodChainLevel& level, const Before& 
                   level.vertices, " vertices after ", before.vertices);
 }
 
+/// How many vertices or triangles one step may take away at most.
+double largestStep(const Input& input, const LodChainLevel& level)
+{
+    constexpr double smallPiece = 33; // positions of 16 triangles that hang together
+    const double collapse = input.atRest.clean ? 2.0 : 2.0 * input.atRest.greatestDegree + 1.0;
+    const Connectivity connectivity(weldedTriangles(input.mesh, input.welded, level.indices));
+    const bool pieceIsGone = !level.skipped && connectivity.pieces < input.atRest.connectivity.pieces;
+    return pieceIsGone ? std::max(collapse, smallPiece) : collapse;
+}
+
 void checkCountTarget(LevelCheck& check, const LevelTarget& target, const LodChain& chain, const LodChainLevel& level,
                       const Before& before, double slack)
 {
@@ -395,7 +405,6 @@ std::vector<std::string> brokenInvariants(const MeshView& mesh, const std::vecto
 
     const PositionSet locked = lockedPositions(input, options);
     const std::vector<Triangle> original = corners(input.atRest.triangles, input.welded);
-    const double slack = input.atRest.clean ? 2.0 : 2.0 * input.atRest.greatestDegree + 1.0;
     Before before{countPositions(input.atRest.triangles), static_cast<std::uint32_t>(input.atRest.triangles.size()),
                   0.0, 0.0};
     for (std::size_t i = 0; i < targets.size(); ++i) {
@@ -403,7 +412,7 @@ std::vector<std::string> brokenInvariants(const MeshView& mesh, const std::vecto
         LevelCheck levelCheck(input, i, broken);
         checkMonotone(levelCheck, level, before);
         if (isCount(targets[i].kind))
-            checkCountTarget(levelCheck, targets[i], chain, level, before, slack);
+            checkCountTarget(levelCheck, targets[i], chain, level, before, largestStep(input, level));
         else
             checkBoundTarget(levelCheck, targets[i], level, before, chain.radius);
         if (level.skipped) {

@@ -38,7 +38,7 @@ struct InvariantOptions {
 /// - Deviation: not below the greatest sampled distance from the level to the input or from the input to the level.
 /// - Flips: no triangle that faces against every input triangle that is within the deviation of its centre.
 /// - Targets: StopReason::TargetReached for counts exactly when the count is met; no level goes beyond its target by
-///   more than its last collapse; bounds on deviation and cost are kept.
+///   more than its last collapse or, where pieces are gone, the last of those; bounds on deviation and cost are kept.
 std::vector<std::string> brokenInvariants(const MeshView& mesh, const std::vector<LevelTarget>& targets,
                                           const SimplifyOptions& options, const LodChain& chain,
                                           const InvariantOptions& check = {});
