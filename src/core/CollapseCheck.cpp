@@ -34,7 +34,7 @@ bool CollapseCheck::allows(const OneRing& ring, std::uint32_t neighbour) const
     const std::uint32_t onEdge = ring.neighbours[neighbour].faces;
     if (onEdge == ring.faceCount && onEdge == mMesh.vertices[destination].liveFaces)
         return false; // nothing would be left of this piece
-    if (mOnBorder[ring.vertex] && onEdge != 1)
+    if (onEdge != 1 && ring.isBorder())
         return false; // a border is left along itself only
     if (turnsFaceOver(ring, neighbour))
         return false;

@@ -2,8 +2,6 @@
 
 #include "OneRing.h"
 
-#include <vector>
-
 namespace lodsmith {
 
 /// Tells whether a collapse keeps the surface sound: no face turned over, nothing pinched, no face doubled, no edge with
@@ -13,8 +11,7 @@ namespace lodsmith {
 /// surfaces which are non-manifold already may still collapse as long as they get no worse.
 class CollapseCheck {
 public:
-    /// @param onBorder for each vertex, whether an edge with one face ends there; kept up to date by the caller
-    CollapseCheck(CollapseMesh& mesh, const std::vector<char>& onBorder) : mMesh(mesh), mOnBorder(onBorder) {}
+    explicit CollapseCheck(CollapseMesh& mesh) : mMesh(mesh) {}
 
     bool allows(const OneRing& ring, std::uint32_t neighbour) const;
 
@@ -27,7 +24,6 @@ private:
     std::uint32_t facesBetween(std::uint32_t a, std::uint32_t b) const;
 
     CollapseMesh& mMesh;
-    const std::vector<char>& mOnBorder;
 };
 
 } // namespace lodsmith

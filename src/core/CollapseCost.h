@@ -19,11 +19,12 @@ class CollapseCost {
 public:
     virtual ~CollapseCost() = default;
 
+    /// A quick guess at what the cheapest collapse of a vertex costs, for the first order of the queue; 0 to have it
+    /// evaluated before anything else. The vertex is in use.
+    virtual float guess(const CollapseMesh& mesh, std::uint32_t vertex) const = 0;
+
     /// Prepares for one vertex. The ring and the mesh stay unchanged until the next call.
     virtual void begin(const CollapseMesh& mesh, const OneRing& ring) = 0;
-
-    /// A quick guess at what the cheapest collapse costs, for the first order of the queue.
-    virtual float guess() = 0;
 
     /// The cheapest collapse not rejected; of equal ones the first in the ring.
     virtual Candidate cheapest() = 0;

@@ -21,38 +21,6 @@ float roundUp(double bound)
 
 } // namespace
 
-double CollapseMesh::attributeDistance(std::uint32_t a, std::uint32_t b) const
-{
-    if (a == b)
-        return 0.0;
-    const float* va = attributesOf(a);
-    const float* vb = attributesOf(b);
-    float sum[2] = {0.0f, 0.0f};
-    for (std::size_t k = 0; k < attributeStride; k += 2)
-        for (std::size_t lane = 0; lane < 2; ++lane) {
-            const float difference = va[k + lane] - vb[k + lane];
-            sum[lane] += difference * difference;
-        }
-    return double{sum[0]} + sum[1];
-}
-
-double CollapseMesh::secondDifference(std::uint32_t here, std::uint32_t target, std::uint32_t second, float s,
-                                      std::uint32_t third, float t) const
-{
-    const float* h = attributesOf(here);
-    const float* d = attributesOf(target);
-    const float* a = attributesOf(second);
-    const float* b = attributesOf(third);
-    float sum[2] = {0.0f, 0.0f};
-    for (std::size_t k = 0; k < attributeStride; k += 2)
-        for (std::size_t lane = 0; lane < 2; ++lane) {
-            const std::size_t i = k + lane;
-            const float difference = d[i] - h[i] + s * (a[i] - h[i]) + t * (b[i] - h[i]);
-            sum[lane] += difference * difference;
-        }
-    return double{sum[0]} + sum[1];
-}
-
 void CollapseMesh::updatePlane(Face& face) const
 {
     const Vec3 origin = position(vertexOf(face.wedge[0]));

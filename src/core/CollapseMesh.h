@@ -66,11 +66,33 @@ public:
     }
 
     /// Squared, between two wedges.
-    double attributeDistance(std::uint32_t a, std::uint32_t b) const;
+    float attributeDistance(std::uint32_t a, std::uint32_t b) const
+    {
+        const float *va = attributesOf(a), *vb = attributesOf(b);
+        float even = 0.0f, odd = 0.0f;
+        for (std::size_t k = 0; k < attributeStride; k += 2) {
+            const float first = va[k] - vb[k], second = va[k + 1] - vb[k + 1];
+            even += first * first;
+            odd += second * second;
+        }
+        return even + odd;
+    }
 
     /// Squared length of (target - here) + s * (second - here) + t * (third - here).
-    double secondDifference(std::uint32_t here, std::uint32_t target, std::uint32_t second, float s,
-                            std::uint32_t third, float t) const;
+    float secondDifference(std::uint32_t here, std::uint32_t target, std::uint32_t second, float s, std::uint32_t third,
+                           float t) const
+    {
+        const float *h = attributesOf(here), *d = attributesOf(target), *a = attributesOf(second),
+                    *b = attributesOf(third);
+        float sum[2] = {0.0f, 0.0f};
+        for (std::size_t k = 0; k < attributeStride; k += 2)
+            for (std::size_t lane = 0; lane < 2; ++lane) {
+                const std::size_t i = k + lane;
+                const float difference = d[i] - h[i] + s * (a[i] - h[i]) + t * (b[i] - h[i]);
+                sum[lane] += difference * difference;
+            }
+        return sum[0] + sum[1];
+    }
 
     const std::uint32_t* faceList(std::uint32_t vertex) const { return mFaceLists.data() + vertices[vertex].firstFace; }
 

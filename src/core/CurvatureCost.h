@@ -9,8 +9,8 @@ namespace lodsmith {
 /// keep borders and seams; attributes do not count. See docs/simplifier.md for the formula.
 class CurvatureCost final : public CollapseCost {
 public:
+    float guess(const CollapseMesh&, std::uint32_t) const override { return 0.0f; }
     void begin(const CollapseMesh& mesh, const OneRing& ring) override;
-    float guess() override { return cheapest().cost; }
     Candidate cheapest() override;
     void reject(int neighbour) override { mCosts[neighbour] = kImpossible; }
     double lengthOf(float cost, const CollapseMesh&, const OneRing&) const override { return cost; }

@@ -20,7 +20,7 @@ std::uint32_t FaceIndex::nearest(const Vec3& point, const std::vector<std::uint3
 
 void FaceIndex::refresh()
 {
-    if (!mFaces.empty() && mMesh.liveFaces > mFaces.size() / 2)
+    if (!mFaces.empty() && mMesh.liveFaces > mFaces.size() / 4)
         return;
     mFaces.clear();
     mFaces.reserve(mMesh.liveFaces);

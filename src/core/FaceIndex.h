@@ -9,7 +9,7 @@ namespace lodsmith {
 
 /// Finds the face nearest to a point: a hierarchy of boxes around the faces, halved along their longest side.
 ///
-/// It is made by the first search (most meshes are one piece and never need it) and again when half of the faces are gone.
+/// It is made by the first search (most meshes are one piece and never need it) and again when three quarters of the faces are gone.
 /// In between faces grow out of their boxes. Distances are always those of the faces as they are, but one that was
 /// somewhere else when the boxes were made may be missed.
 class FaceIndex {

@@ -11,13 +11,15 @@ namespace lodsmith {
 
 namespace {
 
-constexpr double kBorderWeight = 1.0;   // of a border's constraint plane against a face's, per squared edge length
-constexpr double kMaterialWeight = 0.5; // ... of each side of a border between submeshes
-constexpr double kSeamWeight = 0.5; // ... of each side of a seam across which attributes jump by an edge length or more
-constexpr double kShortEdge = 1e-9; // share of area * length^2: among flat choices the shortest edge wins
-constexpr double kFarthest = 4.0;   // a face's attributes are continued no farther than this many of its edges
-constexpr double kAttributeShare = 1.5; // what attributes usually make of the cost of the geometry
-constexpr double kThinnest = 0.1;       // slivers below this height to length do not steepen their gradients further
+constexpr int kNext[3] = {1, 2, 0};
+constexpr float kBorderWeight = 1.0f;    // of a border's constraint plane against a face's, per squared edge length
+constexpr float kMaterialWeight = 0.25f; // ... of a border between submeshes, where two unit normals are added
+constexpr float kSeamWeight = 0.25f; // ... of a seam, likewise, across which attributes jump by an edge length or more
+constexpr float kShortEdge = 1e-9f;  // share of area * length^2: among flat choices the shortest edge wins
+constexpr double kFarthest = 4.0;    // a face's attributes are continued no farther than this many of its edges
+constexpr std::uint32_t kGuessFaces = 8; // more do not make a better guess
+constexpr double kAttributeShare = 1.5;  // what attributes usually make of the cost of the geometry
+constexpr double kThinnest = 0.1;        // slivers below this height to length do not steepen their gradients further
 
 Vec3 normalOf(const CollapseMesh::Face& face)
 {
@@ -26,39 +28,91 @@ Vec3 normalOf(const CollapseMesh::Face& face)
 
 } // namespace
 
+double QuadricCost::importanceFactor(const CollapseMesh& mesh, std::uint32_t vertex)
+{
+    const double importance = mesh.importance.empty() ? 0.0 : mesh.importance[vertex];
+    return 1.0 / ((1.0 - importance) * (1.0 - importance));
+}
+
+/// The planes of the faces alone, as a matrix in floats (which is good enough for a guess), at the next corner of each.
+float QuadricCost::guess(const CollapseMesh& mesh, std::uint32_t vertex) const
+{
+    const std::uint32_t* list = mesh.faceList(vertex);
+    const std::uint32_t count = std::min(mesh.vertices[vertex].liveFaces, kGuessFaces);
+    float xx = 0.0f, xy = 0.0f, xz = 0.0f, yy = 0.0f, yz = 0.0f, zz = 0.0f, shortEdge = 0.0f;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const CollapseMesh::Face& face = mesh.faces[list[i]];
+        const float x = face.normal[0], y = face.normal[1], z = face.normal[2];
+        const float wx = face.area * x, wy = face.area * y, wz = face.area * z;
+        xx += wx * x;
+        xy += wx * y;
+        xz += wx * z;
+        yy += wy * y;
+        yz += wy * z;
+        zz += wz * z;
+        shortEdge += kShortEdge * face.area;
+    }
+    const float* origin = mesh.vertices[vertex].position;
+    float least = kNever;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t* wedge = mesh.faces[list[i]].wedge;
+        const int corner = mesh.vertexOf(wedge[0]) == vertex ? 0 : mesh.vertexOf(wedge[1]) == vertex ? 1 : 2;
+        const float* next = mesh.vertices[mesh.vertexOf(wedge[kNext[corner]])].position;
+        const float x = next[0] - origin[0], y = next[1] - origin[1], z = next[2] - origin[2];
+        const float planes = x * (xx * x + 2.0f * (xy * y + xz * z)) + y * (yy * y + 2.0f * yz * z) + zz * z * z;
+        least = std::min(least, std::max(planes, 0.0f) + shortEdge * (x * x + y * y + z * z));
+    }
+    return finite(kAttributeShare * least * importanceFactor(mesh, vertex));
+}
+
 void QuadricCost::begin(const CollapseMesh& mesh, const OneRing& ring)
 {
     mMesh = &mesh;
     mRing = &ring;
-    mQuadric = {};
-    mArea = 0.0;
+    mArea = 0.0f;
+    mPlaneCount = 0;
     for (std::uint32_t i = 0; i < ring.faceCount; ++i) {
         const CollapseMesh::Face& face = mesh.faces[ring.faces[i].face];
-        mQuadric.addSquare(normalOf(face), face.area);
+        mPlanes[mPlaneCount++] = {face.normal[0], face.normal[1], face.normal[2], face.area};
         mArea += face.area;
     }
     if (!ring.isPlain || mesh.firstFaceOfSubMesh.size() > 2)
         addConstraints();
-    const double importance = mesh.importance.empty() ? 0.0 : mesh.importance[ring.vertex];
-    mImportanceFactor = 1.0 / ((1.0 - importance) * (1.0 - importance));
-    mQuadric.addIdentity(kShortEdge * mArea);
-    for (std::uint32_t i = 0; i < ring.neighbourCount; ++i) {
-        mBound[i] = std::max(mQuadric.at(ring.neighbours[i].edge), 0.0);
-        mExact[i] = false;
-    }
+    mImportanceFactor = importanceFactor(mesh, ring.vertex);
+    measurePlanes();
 }
 
-float QuadricCost::guess()
+/// Squared distances of all neighbours to all planes, four neighbours at a time.
+void QuadricCost::measurePlanes()
 {
-    return finite(kAttributeShare * *std::min_element(mBound, mBound + mRing->neighbourCount) * mImportanceFactor);
+    const std::uint32_t count = mRing->neighbourCount;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const Vec3& edge = mRing->neighbours[i].edge;
+        mX[i] = static_cast<float>(edge.x);
+        mY[i] = static_cast<float>(edge.y);
+        mZ[i] = static_cast<float>(edge.z);
+        mExact[i] = false;
+    }
+    const float shortEdge = kShortEdge * mArea;
+    const std::uint32_t lanes =
+        (count + kLanes - 1) / kLanes * kLanes; // what lies beyond the last neighbour does no harm
+    for (std::uint32_t i = 0; i < lanes; ++i)
+        mBound[i] = shortEdge * (mX[i] * mX[i] + mY[i] * mY[i] + mZ[i] * mZ[i]);
+    for (std::uint32_t p = 0; p < mPlaneCount; ++p) {
+        const Plane plane = mPlanes[p];
+        for (std::uint32_t i = 0; i < lanes; ++i) {
+            const float distance = plane.x * mX[i] + plane.y * mY[i] + plane.z * mZ[i];
+            mBound[i] += plane.weight * (distance * distance);
+        }
+    }
 }
 
 /// Attributes are looked at only where the geometry alone could still win.
 Candidate QuadricCost::cheapest()
 {
     while (true) {
-        const double* best = std::min_element(mBound, mBound + mRing->neighbourCount);
-        if (*best == kImpossible)
+        const float* best = std::min_element(mBound, mBound + mRing->neighbourCount);
+        if (*best == kNever)
             return {};
         const auto neighbour = static_cast<std::uint32_t>(best - mBound);
         if (mExact[neighbour])
@@ -76,36 +130,36 @@ double QuadricCost::lengthOf(float cost, const CollapseMesh& mesh, const OneRing
     return area > 0.0 ? std::sqrt(cost / area) : 0.0;
 }
 
-double QuadricCost::attributeCost(std::uint32_t neighbour)
+float QuadricCost::attributeCost(std::uint32_t neighbour)
 {
     if (!mWedges.build(*mMesh, *mRing, neighbour))
-        return kImpossible;
+        return kNever;
     if (mMesh->attributeStride == 0)
-        return 0.0;
-    const Vec3& edge = mRing->neighbours[neighbour].edge;
-    double along[OneRing::kMaxNeighbours];
+        return 0.0f;
+    const float x = mX[neighbour], y = mY[neighbour], z = mZ[neighbour];
+    float along[OneRing::kMaxNeighbours]; // components along the edge, times its length
     for (std::uint32_t i = 0; i < mRing->neighbourCount; ++i)
-        along[i] = dot(edge, mRing->neighbours[i].edge);
-    double sum = 0.0;
+        along[i] = x * mX[i] + y * mY[i] + z * mZ[i];
+    float sum = 0.0f;
     for (std::uint32_t i = 0; i < mWedges.count(); ++i)
-        sum += wedgeCost(edge, along, mWedges.from(i), mWedges.to(i));
+        sum += wedgeCost(mRing->neighbours[neighbour].edge, along, mWedges.from(i), mWedges.to(i));
     return sum;
 }
 
 /// The face of this wedge that lies behind, seen along the edge, is continued to the destination. `along` has each
 /// neighbour's component along the edge, times its length.
-double QuadricCost::wedgeCost(const Vec3& edge, const double* along, std::uint32_t wedge, std::uint32_t target) const
+float QuadricCost::wedgeCost(const Vec3& edge, const float* along, std::uint32_t wedge, std::uint32_t target) const
 {
     const bool isOnly = !mRing->isSeam;
-    double least = kImpossible, area = isOnly ? mArea : 0.0;
+    float least = kNever, area = isOnly ? mArea : 0.0f;
     const OneRing::RingFace* behind = nullptr;
     for (std::uint32_t i = 0; i < mRing->faceCount; ++i) {
         const OneRing::RingFace& face = mRing->faces[i];
         if (face.wedge[0] != wedge)
             continue;
         if (!isOnly)
-            area += mMesh->faces[face.face].area;
-        const double sum = along[face.second] + along[face.third];
+            area += mPlanes[i].weight;
+        const float sum = along[face.second] + along[face.third];
         behind = sum < least ? &face : behind;
         least = std::min(sum, least);
     }
@@ -121,36 +175,41 @@ double QuadricCost::wedgeCost(const Vec3& edge, const double* along, std::uint32
                                      behind->wedge[2], bounded(-dot(across, second) * inverse));
 }
 
-/// Planes upright on the faces along borders, submesh borders and seams. The cross product carries the edge's length, so
-/// that the weight is a squared length, like an area.
+/// Planes upright on the surface along borders, submesh borders and seams. The cross product carries the edge's length, so
+/// that the weight is a squared length, like an area. Where two faces meet at an angle the plane stands between them and counts
+/// for less: there each face's own plane keeps the other in place.
 void QuadricCost::addConstraints()
 {
     const bool manySubMeshes = mMesh->firstFaceOfSubMesh.size() > 2;
     for (std::uint32_t i = 0; i < mRing->neighbourCount; ++i) {
         const OneRing::RingFace &first = mRing->faces[mRing->neighbours[i].firstFace],
                                 &last = mRing->faces[mRing->neighbours[i].lastFace];
-        double weight = 0.0;
+        const Vec3 normal = normalOf(mMesh->faces[first.face]);
+        const Vec3& edge = mRing->neighbours[i].edge;
         if (&first == &last)
-            weight = kBorderWeight;
+            addPlane(cross(normal, edge), kBorderWeight);
         else if (manySubMeshes && mMesh->subMeshOfWedge(first.wedge[0]) != mMesh->subMeshOfWedge(last.wedge[0]))
-            weight = kMaterialWeight;
+            addPlane(cross(normal + normalOf(mMesh->faces[last.face]), edge), kMaterialWeight);
         else if (first.wedge[0] != last.wedge[0] || mRing->wedgeOf(first, i) != mRing->wedgeOf(last, i))
-            weight = seamWeight(first, last, i);
-        if (weight > 0.0) {
-            mQuadric.addSquare(cross(normalOf(mMesh->faces[first.face]), mRing->neighbours[i].edge), weight);
-            if (&first != &last)
-                mQuadric.addSquare(cross(normalOf(mMesh->faces[last.face]), mRing->neighbours[i].edge), weight);
-        }
+            addPlane(cross(normal + normalOf(mMesh->faces[last.face]), edge), seamWeight(first, last, i));
     }
+}
+
+void QuadricCost::addPlane(const Vec3& normal, float weight)
+{
+    mPlanes[mPlaneCount++] = {static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z),
+                              weight};
 }
 
 /// A seam's line is held as firmly as the attributes jump across it, at most like a material border: what lies
 /// between the old and the new line gets the other side's attributes.
-double QuadricCost::seamWeight(const OneRing::RingFace& a, const OneRing::RingFace& b, std::uint32_t neighbour) const
+float QuadricCost::seamWeight(const OneRing::RingFace& a, const OneRing::RingFace& b, std::uint32_t neighbour) const
 {
-    const double jump = std::max(mMesh->attributeDistance(a.wedge[0], b.wedge[0]),
-                                 mMesh->attributeDistance(mRing->wedgeOf(a, neighbour), mRing->wedgeOf(b, neighbour)));
-    return kSeamWeight * std::min(1.0, jump / lengthSquared(mRing->neighbours[neighbour].edge));
+    const auto enough = static_cast<float>(lengthSquared(mRing->neighbours[neighbour].edge));
+    float jump = mMesh->attributeDistance(a.wedge[0], b.wedge[0]);
+    if (jump < enough)
+        jump = std::max(jump, mMesh->attributeDistance(mRing->wedgeOf(a, neighbour), mRing->wedgeOf(b, neighbour)));
+    return jump < enough ? kSeamWeight * jump / enough : kSeamWeight;
 }
 
 } // namespace lodsmith

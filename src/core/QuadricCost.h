@@ -1,7 +1,6 @@
 #pragma once
 
 #include "CollapseCost.h"
-#include "SymmetricMatrix.h"
 #include "WedgeMap.h"
 
 namespace lodsmith {
@@ -12,29 +11,44 @@ namespace lodsmith {
 /// gets at the destination and those that it would have there if the face behind it went on (Hoppe 1999, who takes the
 /// sum over all faces; the face opposite to the collapse tells as much at a fifth of the time, see docs/simplifier.md).
 ///
-/// All is relative to the vertex, where a face's plane and its attributes are exactly zero: no constants, no cancellation.
+/// All is relative to the vertex, where a face's plane and its attributes are exactly zero: no constants, no cancellation, and
+/// distances to planes rather than a matrix, so that floats are enough.
 class QuadricCost final : public CollapseCost {
 public:
+    float guess(const CollapseMesh& mesh, std::uint32_t vertex) const override;
     void begin(const CollapseMesh& mesh, const OneRing& ring) override;
-    float guess() override;
     Candidate cheapest() override;
-    void reject(int neighbour) override { mBound[neighbour] = kImpossible; }
+    void reject(int neighbour) override { mBound[neighbour] = kNever; }
     double lengthOf(float cost, const CollapseMesh& mesh, const OneRing& ring) const override;
     float costOf(double length, double area) const override { return finite(area * length * length); }
 
 private:
+    static constexpr std::uint32_t kLanes = 4;
+    static constexpr float kNever = std::numeric_limits<float>::infinity();
+
+    /// A plane through the vertex; the normal's length counts.
+    struct Plane {
+        float x, y, z, weight;
+    };
+
+    static double importanceFactor(const CollapseMesh& mesh, std::uint32_t vertex);
+    void measurePlanes();
     void addConstraints();
-    double seamWeight(const OneRing::RingFace& a, const OneRing::RingFace& b, std::uint32_t neighbour) const;
-    double attributeCost(std::uint32_t neighbour);
-    double wedgeCost(const Vec3& edge, const double* along, std::uint32_t wedge, std::uint32_t target) const;
+    void addPlane(const Vec3& normal, float weight);
+    float seamWeight(const OneRing::RingFace& a, const OneRing::RingFace& b, std::uint32_t neighbour) const;
+    float attributeCost(std::uint32_t neighbour);
+    float wedgeCost(const Vec3& edge, const float* along, std::uint32_t wedge, std::uint32_t target) const;
 
     const CollapseMesh* mMesh = nullptr;
     const OneRing* mRing = nullptr;
-    SymmetricMatrix mQuadric;
-    double mArea = 0.0;
+    float mArea = 0.0f;
     double mImportanceFactor = 1.0;
+    std::uint32_t mPlaneCount = 0;
+    Plane mPlanes[OneRing::kMaxFaces + OneRing::kMaxNeighbours]; ///< those of the faces, then the constraints
+    float mX[OneRing::kMaxNeighbours] = {}, mY[OneRing::kMaxNeighbours] = {},
+          mZ[OneRing::kMaxNeighbours] = {}; ///< edges to the neighbours
     bool mExact[OneRing::kMaxNeighbours];   ///< whether mBound has the attributes in it
-    double mBound[OneRing::kMaxNeighbours]; ///< of each neighbour's cost, from below; kImpossible when rejected
+    float mBound[OneRing::kMaxNeighbours];  ///< of each neighbour's cost, from below; kNever when rejected
     WedgeMap mWedges;
 };
 

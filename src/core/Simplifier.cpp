@@ -13,8 +13,8 @@ constexpr std::uint32_t kCacheSize = 8192; // vertices of a mesh that fits the s
 } // namespace
 
 Simplifier::Simplifier(CollapseMesh& mesh, std::unique_ptr<CollapseCost> cost, const VertexLocks& locks)
-    : mMesh(mesh), mCost(std::move(cost)), mOnBorder(mesh.vertexCount(), 0), mCheck(mesh, mOnBorder), mPieces(mesh),
-      mState(mesh.vertexCount(), 0), mTarget(mesh.vertexCount(), kNone)
+    : mMesh(mesh), mCost(std::move(cost)), mCheck(mesh), mPieces(mesh), mState(mesh.vertexCount(), 0),
+      mTarget(mesh.vertexCount(), kNone)
 {
     for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v)
         if (mesh.isAlive(v))
@@ -23,43 +23,15 @@ Simplifier::Simplifier(CollapseMesh& mesh, std::unique_ptr<CollapseCost> cost, c
 
 void Simplifier::prepare(std::uint32_t v, const VertexLocks& locks)
 {
-    const bool small = mRing.build(mMesh, v);
-    if (small)
-        dropRepeatedFaces();
-    mOnBorder[v] = small && mRing.isBorder();
     const bool precious = !mMesh.importance.empty() && mMesh.importance[v] >= 1.0f;
-    if (precious || (locks.borders && mOnBorder[v]) || (locks.seams && mMesh.vertices[v].hasSeam)) {
+    if (precious || (locks.seams && mMesh.vertices[v].hasSeam)
+        || (locks.borders && mRing.build(mMesh, v) && mRing.isBorder())) {
         mState[v] = kLocked;
         return;
     }
-    if (!small) {
-        stall(v);
-        return;
-    }
     // Most vertices lose a neighbour before their turn comes: it would be too early to evaluate them.
-    mCost->begin(mMesh, mRing);
     mState[v] = kQueued | kStale;
-    mQueue.insert(mCost->guess(), v);
-}
-
-/// Faces of one submesh with the same corners and winding: all but the first. Their first vertex to be prepared sees them
-/// all, so that the ring of none prepared earlier changes.
-void Simplifier::dropRepeatedFaces()
-{
-    if (mRing.isFan)
-        return;
-    const std::uint32_t before = mMesh.liveFaces;
-    for (std::uint32_t i = 1; i < mRing.faceCount; ++i)
-        for (std::uint32_t k = 0; k < i; ++k) {
-            const OneRing::RingFace &first = mRing.faces[k], &second = mRing.faces[i];
-            if (first.second == second.second && first.third == second.third && !mMesh.isGone(mMesh.faces[second.face])
-                && mMesh.subMeshOfWedge(first.wedge[0]) == mMesh.subMeshOfWedge(second.wedge[0]))
-                mMesh.removeFace(second.face);
-        }
-    if (mMesh.liveFaces == before)
-        return;
-    mMesh.summary.cleaned.repeatedTriangles += before - mMesh.liveFaces;
-    mRing.build(mMesh, mRing.vertex);
+    mQueue.insert(mCost->guess(mMesh, v), v);
 }
 
 /// Sets aside a vertex that can neither be collapsed nor vanish.
@@ -204,10 +176,8 @@ bool Simplifier::withinLimits(const CollapseLimits& limits, const Candidate& can
 void Simplifier::collapse(const Candidate& candidate)
 {
     const auto neighbour = static_cast<std::uint32_t>(candidate.neighbour);
-    const std::uint32_t destination = mRing.neighbours[neighbour].vertex;
     mWedges.build(mMesh, mRing, neighbour);
     moveFaces(neighbour);
-    mOnBorder[destination] |= mOnBorder[mRing.vertex];
     touchRing();
     mLargestDeviation = std::max(mLargestDeviation, mPatchDeviation.largest());
     mLargestLength = std::max(mLargestLength, mLength);

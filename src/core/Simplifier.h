@@ -36,7 +36,7 @@ struct VertexLocks {
 /// the front of the queue. Whether a collapse is allowed is asked of the one in front alone.
 class Simplifier {
 public:
-    /// Takes out repeated faces, finds borders and locked vertices, and queues every other vertex.
+    /// Finds locked vertices and queues every other one.
     Simplifier(CollapseMesh& mesh, std::unique_ptr<CollapseCost> cost, const VertexLocks& locks);
 
     /// Continues until the limits are met or nothing is left to collapse. `step` is called now and then; false stops.
@@ -68,7 +68,6 @@ private:
     };
 
     void prepare(std::uint32_t vertex, const VertexLocks& locks);
-    void dropRepeatedFaces();
     bool reached(const CollapseLimits& limits) const;
     void requeueStalled();
     void advance(const CollapseLimits& limits);
@@ -94,7 +93,6 @@ private:
 
     CollapseMesh& mMesh;
     std::unique_ptr<CollapseCost> mCost;
-    std::vector<char> mOnBorder;
     CollapseCheck mCheck;
     PieceRemoval mPieces;
     CostMultiset mQueue;

@@ -1,6 +1,7 @@
 #include "WedgeMap.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace lodsmith {
 
@@ -17,10 +18,7 @@ bool WedgeMap::build(const CollapseMesh& mesh, const OneRing& ring, std::uint32_
     mCount = 0;
     for (std::uint32_t i = 0; i < ring.faceCount; ++i) {
         const std::uint32_t wedge = ring.faces[i].wedge[0];
-        bool known = false;
-        for (std::uint32_t k = 0; k < mCount && !known; ++k)
-            known = mFrom[k] == wedge;
-        if (known)
+        if (std::find(mFrom, mFrom + mCount, wedge) != mFrom + mCount)
             continue;
         std::uint32_t to = matched(mesh, ring, neighbour, wedge);
         if (to == kNone)
@@ -34,7 +32,7 @@ bool WedgeMap::build(const CollapseMesh& mesh, const OneRing& ring, std::uint32_
 }
 
 std::uint32_t WedgeMap::matched(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour,
-                                std::uint32_t wedge) const
+                                std::uint32_t wedge)
 {
     const OneRing::Neighbour& destination = ring.neighbours[neighbour];
     std::uint32_t best = kNone;
@@ -47,10 +45,9 @@ std::uint32_t WedgeMap::matched(const CollapseMesh& mesh, const OneRing& ring, s
         if (face.wedge[0] != wedge || !ring.contains(face, neighbour))
             continue;
         const std::uint32_t there = ring.wedgeOf(face, neighbour);
-        if (mesh.subMeshOfWedge(there) != mesh.subMeshOfWedge(wedge))
+        if (mesh.subMeshOfWedge(there) != mesh.subMeshOfWedge(wedge) || there == best)
             continue;
-        if (best == kNone
-            || (best != there && mesh.attributeDistance(wedge, there) < mesh.attributeDistance(wedge, best)))
+        if (best == kNone || mesh.attributeDistance(wedge, there) < mesh.attributeDistance(wedge, best))
             best = there;
     }
     return best;
@@ -59,12 +56,13 @@ std::uint32_t WedgeMap::matched(const CollapseMesh& mesh, const OneRing& ring, s
 std::uint32_t WedgeMap::nearest(const CollapseMesh& mesh, std::uint32_t vertex, std::uint32_t wedge,
                                 std::uint32_t motion)
 {
+    const std::uint32_t subMesh = mesh.subMeshOfWedge(wedge);
     std::uint32_t best = kNone;
-    double bestDistance = 0.0;
+    float bestDistance = std::numeric_limits<float>::infinity();
     for (std::uint32_t there = vertex; there != kNone; there = mesh.nextWedge[there]) {
-        if (mesh.subMeshOfWedge(there) != mesh.subMeshOfWedge(wedge) || mesh.motionOf(there) != motion)
+        if (mesh.subMeshOfWedge(there) != subMesh || mesh.motionOf(there) != motion)
             continue;
-        const double distance = mesh.attributeDistance(wedge, there);
+        const float distance = mesh.attributeDistance(wedge, there);
         if (best == kNone || distance < bestDistance) {
             best = there;
             bestDistance = distance;
@@ -77,6 +75,8 @@ std::uint32_t WedgeMap::nearest(const CollapseMesh& mesh, std::uint32_t vertex, 
 std::uint32_t WedgeMap::motionThere(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour,
                                     std::uint32_t wedge)
 {
+    if (mesh.wedgeMotion.empty())
+        return mesh.motionOf(wedge);
     for (std::uint32_t i = 0; i < ring.faceCount; ++i)
         if (ring.contains(ring.faces[i], neighbour) && mesh.motionOf(ring.faces[i].wedge[0]) == mesh.motionOf(wedge))
             return mesh.motionOf(ring.wedgeOf(ring.faces[i], neighbour));

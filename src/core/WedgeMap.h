@@ -27,8 +27,8 @@ public:
     }
 
 private:
-    std::uint32_t matched(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour,
-                          std::uint32_t wedge) const;
+    static std::uint32_t matched(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour,
+                                 std::uint32_t wedge);
     static std::uint32_t nearest(const CollapseMesh& mesh, std::uint32_t vertex, std::uint32_t wedge,
                                  std::uint32_t motion);
     static std::uint32_t motionThere(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour,

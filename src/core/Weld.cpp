@@ -27,14 +27,38 @@ Position readPosition(const VertexBufferView& buffer, std::uint32_t index)
     return p;
 }
 
-std::size_t hashOf(const Position& p)
+using Triple = std::array<std::uint32_t, 3>;
+
+/// The same face beginning at its lowest vertex.
+Triple rotated(const Triple& v)
 {
-    std::uint32_t bits[3];
-    std::memcpy(bits, p.data(), sizeof bits);
+    if (v[0] < v[1] && v[0] < v[2])
+        return v;
+    return v[1] < v[2] ? Triple{v[1], v[2], v[0]} : Triple{v[2], v[0], v[1]};
+}
+
+std::size_t hashOf(const Triple& bits)
+{
     std::uint64_t h = bits[0] * 0x9E3779B97F4A7C15ull;
     h = (h ^ (h >> 29) ^ bits[1]) * 0xBF58476D1CE4E5B9ull;
     h = (h ^ (h >> 32) ^ bits[2]) * 0x94D049BB133111EBull;
     return static_cast<std::size_t>(h ^ (h >> 31));
+}
+
+std::size_t hashOf(const Position& p)
+{
+    Triple bits;
+    std::memcpy(bits.data(), p.data(), sizeof bits);
+    return hashOf(bits);
+}
+
+/// Size of a hash table, a power of two.
+std::size_t slotsFor(std::size_t entries)
+{
+    std::size_t slots = 16;
+    while (slots < entries + entries / 2)
+        slots *= 2;
+    return slots;
 }
 
 bool sameTuple(const FloatStream& stream, std::uint32_t a, std::uint32_t b, int count)
@@ -131,8 +155,10 @@ private:
     std::optional<Error> prepare()
     {
         std::size_t vertices = 0, triangles = 0;
-        for (const VertexBufferView& buffer : mView.vertexBuffers)
+        for (const VertexBufferView& buffer : mView.vertexBuffers) {
             vertices += buffer.vertexCount;
+            mMoves |= buffer.bones != nullptr || !buffer.offsets.empty();
+        }
         for (const SubMeshView& subMesh : mView.subMeshes)
             triangles += subMesh.indexCount / 3;
         if (vertices >= kExtra || triangles >= kNone / 3)
@@ -144,10 +170,8 @@ private:
         mWedgeOf.resize(mView.vertexBuffers.size());
         for (std::size_t b = 0; b < mView.vertexBuffers.size(); ++b)
             mWedgeOf[b].assign(mView.vertexBuffers[b].vertexCount, kNone);
-        std::size_t slots = 16;
-        while (slots < vertices + vertices / 2)
-            slots *= 2;
-        mSlots.assign(slots, kNone);
+        mSlots.assign(slotsFor(vertices), kNone);
+        mFaceSlots.assign(slotsFor(triangles), kNone);
         return std::nullopt;
     }
 
@@ -164,10 +188,30 @@ private:
                                 c = provisionalVertexOf(face.wedge[2]);
             if (a == b || b == c || c == a)
                 ++mMesh.summary.cleaned.degenerateTriangles;
+            else if (isRepeated({a, b, c}))
+                ++mMesh.summary.cleaned.repeatedTriangles;
             else
                 mMesh.faces.push_back(face);
         }
         return std::nullopt;
+    }
+
+    /// Whether this submesh has a face with these vertices and this winding already. If not, the face to be added next is
+    /// taken to be it.
+    bool isRepeated(const Triple& vertices)
+    {
+        const Triple key = rotated(vertices);
+        std::size_t slot = hashOf(key) & (mFaceSlots.size() - 1);
+        for (; mFaceSlots[slot] != kNone; slot = (slot + 1) & (mFaceSlots.size() - 1)) {
+            const std::uint32_t* wedge = mMesh.faces[mFaceSlots[slot]].wedge;
+            if (mFaceSlots[slot] >= mMesh.firstFaceOfSubMesh.back()
+                && rotated(
+                       {provisionalVertexOf(wedge[0]), provisionalVertexOf(wedge[1]), provisionalVertexOf(wedge[2])})
+                       == key)
+                return true;
+        }
+        mFaceSlots[slot] = static_cast<std::uint32_t>(mMesh.faces.size());
+        return false;
     }
 
     std::optional<Error> wedgeAt(int subMeshNumber, std::uint32_t at, std::uint32_t& wedge)
@@ -251,7 +295,7 @@ private:
         std::uint32_t motion = kNone, last = vertex;
         for (std::uint32_t wedge = vertex; wedge != kNone; wedge = record(wedge).next) {
             const WedgeRecord& other = record(wedge);
-            const bool together = sameMotion({&bufferOf(other.subMesh), other.index}, added);
+            const bool together = !mMoves || sameMotion({&bufferOf(other.subMesh), other.index}, added);
             if (together && other.subMesh == subMesh && sameAttributes(*added.buffer, other.index, index))
                 return wedge;
             if (together && motion == kNone)
@@ -295,7 +339,7 @@ private:
 
     void finish()
     {
-        mSlots = {};
+        mSlots = mFaceSlots = {};
         const auto number = [this](std::uint32_t wedge) {
             return wedge == kNone || !(wedge & kExtra) ? wedge : mMesh.vertexCount() + (wedge & ~kExtra);
         };
@@ -361,7 +405,9 @@ private:
     CollapseMesh mMesh;
     std::vector<std::vector<std::uint32_t>> mWedgeOf; ///< of each buffer's vertices, kNone when not referenced
     std::vector<std::uint32_t> mSlots;                ///< hash table of positions: vertex numbers
+    std::vector<std::uint32_t> mFaceSlots;            ///< hash table of faces
     std::vector<WedgeRecord> mFirst, mExtra;
+    bool mMoves = false; ///< some vertex has bones or pose offsets
     bool mSplitMotion = false;
 };
 
