@@ -51,8 +51,9 @@ bool CollapseCheck::turnsFaceOver(const OneRing& ring, std::uint32_t neighbour) 
             continue;
         const CollapseMesh::Face& face = mMesh.faces[ringFace.face];
         const Vec3 after = cross(ring.neighbours[ringFace.second].edge - e, ring.neighbours[ringFace.third].edge - e);
-        const double along = face.normal[0] * after.x + face.normal[1] * after.y + face.normal[2] * after.z;
-        const bool hadNoArea = !(face.area > 0.0f);
+        const Vec3 before{face.normal[0], face.normal[1], face.normal[2]};
+        const double along = dot(before, after);
+        const bool hadNoArea = !(lengthSquared(before) > 0.0); // areas get too small for a float, normals do not
         if (!hadNoArea && !(along > 0.0 && along * along > kLeastCosine * kLeastCosine * lengthSquared(after)))
             return true;
     }
@@ -86,9 +87,11 @@ bool CollapseCheck::keepsLink(const OneRing& ring, std::uint32_t neighbour) cons
         if (!sound || (found == 2 && hasFace(ring, common[0], common[1])))
             return false;
     }
-    const bool simple = ring.neighbours[neighbour].faces < ring.faceCount
-                        && std::all_of(ring.neighbours, ring.neighbours + ring.neighbourCount,
-                                       [](const OneRing::Neighbour& other) { return other.faces == 2; });
+    const OneRing::Neighbour& end = ring.neighbours[neighbour];
+    const bool simple =
+        ring.apexOf(ring.faces[end.firstFace], neighbour) != ring.apexOf(ring.faces[end.lastFace], neighbour)
+        && std::all_of(ring.neighbours, ring.neighbours + ring.neighbourCount,
+                       [](const OneRing::Neighbour& other) { return other.faces == 2; });
     return simple || keepsEdgesManifold(ring, neighbour);
 }
 

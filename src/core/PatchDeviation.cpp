@@ -10,6 +10,14 @@ namespace lodsmith {
 
 namespace {
 
+constexpr double kEdgeOn = 1e-12; // squared cosine; of a face that lies steeper, rounding hides the heights
+
+/// Whether a face with twice this area shows its back, or its edge, to where it is seen with twice that area.
+bool isHidden(double seen, double areaSquared)
+{
+    return seen < 0.0 || seen * seen < kEdgeOn * areaSquared;
+}
+
 /// The point of the segment from a to b nearest to the origin.
 Vec3 nearestToOrigin(const Vec3& a, const Vec3& b)
 {
@@ -208,14 +216,19 @@ bool PatchDeviation::evaluateCut(const Fan& fan, std::uint32_t cut)
     return true;
 }
 
-/// Lays the fan into the plane across its normal. False unless both the old and the new faces lie there without a fold.
+/// Lays the fan into the plane across its normal. False unless both the old and the new faces lie there without a fold, and
+/// none of them on edge.
 bool PatchDeviation::project(const Fan& fan, const Vec3& centre)
 {
     const std::uint32_t count = fan.count, faces = fan.closed ? count : count - 1;
     Vec3 normal;
+    double areaSquared[OneRing::kMaxFaces];
     for (std::uint32_t i = 0; i < faces; ++i) {
         const std::uint32_t j = i + 1 == count ? 0 : i + 1;
-        normal += cross(mRing->neighbours[fan.spokes[i]].edge - centre, mRing->neighbours[fan.spokes[j]].edge - centre);
+        const Vec3 area =
+            cross(mRing->neighbours[fan.spokes[i]].edge - centre, mRing->neighbours[fan.spokes[j]].edge - centre);
+        normal += area;
+        areaSquared[i] = lengthSquared(area);
     }
     const double size = length(normal);
     if (!(size > 0.0))
@@ -231,19 +244,24 @@ bool PatchDeviation::project(const Fan& fan, const Vec3& centre)
         mV[i] = dot(r, v);
         mZ[i] = dot(r, n);
     }
+    // A closed fan comes once to where it begins; an open one has to end before that.
+    const auto side = [&](std::uint32_t i) { return fan.closed ? mV[i] : mU[0] * mV[i] - mU[i] * mV[0]; };
     int rounds = 0;
     for (std::uint32_t i = 0; i < faces; ++i) {
         const std::uint32_t j = i + 1 == count ? 0 : i + 1;
-        if (mU[i] * mV[j] - mU[j] * mV[i] < 0.0)
+        if (isHidden(mU[i] * mV[j] - mU[j] * mV[i], areaSquared[i]))
             return false;
-        rounds += mV[i] < 0.0 && mV[j] >= 0.0;
+        rounds += side(i) < 0.0 && side(j) >= 0.0;
         mOld[i] = mBefore[fan.faces[i]];
         mCovered[i] = mDifference[i] = 0.0;
     }
-    for (std::uint32_t j = 1; j + 1 < count; ++j)
-        if ((mU[j] - mU[0]) * (mV[j + 1] - mV[0]) - (mU[j + 1] - mU[0]) * (mV[j] - mV[0]) < 0.0)
+    for (std::uint32_t j = 1; j + 1 < count; ++j) {
+        const Vec3 area = cross(Vec3{mU[j] - mU[0], mV[j] - mV[0], mZ[j] - mZ[0]},
+                                Vec3{mU[j + 1] - mU[0], mV[j + 1] - mV[0], mZ[j + 1] - mZ[0]});
+        if (isHidden(area.z, lengthSquared(area)))
             return false;
-    return rounds <= 1;
+    }
+    return rounds <= (fan.closed ? 1 : 0);
 }
 
 void PatchDeviation::cover(std::uint32_t newFace, double difference, double before)

@@ -33,6 +33,7 @@ private:
                                  std::uint32_t motion);
     static std::uint32_t motionThere(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour,
                                      std::uint32_t wedge);
+    static bool isSplit(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour);
     static bool motionAllows(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour);
 
     std::uint32_t mCount = 0;

@@ -248,6 +248,19 @@ TEST(BadInput, TinyDetailOnALargeMesh)
     }
 }
 
+TEST(BadInput, ANeedleTooThinForItsAreaDoesNotTurnOver)
+{
+    // A tiny square, and a needle from its lower side to far away: only the square's lower left corner may go.
+    TestMesh mesh;
+    mesh.buffers.resize(1);
+    mesh.subMeshes.resize(1);
+    constexpr float kSide = 2.5e-31f;
+    mesh.buffers[0].positions = {0, 0, 0, kSide, 0, 0, kSide, kSide, 0, 0, kSide, 0, 1, -kSide, 0};
+    mesh.buffers[0].importance = {0, 1, 1, 1, 1};
+    mesh.subMeshes[0].indices = {0, 1, 2, 0, 2, 3, 1, 4, 0};
+    simplifyChecked(mesh.view(), {removedVertices(1)});
+}
+
 TEST(BadInput, OneVertexOfATinyMeshIsFarAway)
 {
     // Lengths of 1e-30 and of 1 in one triangle: their ratios squared are no floats any more.
@@ -272,6 +285,23 @@ TEST(BadInput, ManyTrianglesAtOneVertex)
 TEST(BadInput, ManyTrianglesAtOneEdge)
 {
     simplifyChecked(makeBook(40).view(), {removedShare(0.5), removedShare(1.0)});
+}
+
+TEST(BadInput, TwoSidedLeavesThatMeetInOnePointAreBothKept)
+{
+    TestMesh mesh;
+    mesh.buffers.resize(1);
+    mesh.subMeshes.resize(1);
+    mesh.buffers[0].positions = {0, 0, 0, -1, 1, 0, 0, 1, 0, 1, 1, 0, 1, 0, 0};
+    for (const std::uint32_t first : {1u, 3u}) {
+        mesh.subMeshes[0].addTriangle(0, first, first + 1);
+        mesh.subMeshes[0].addTriangle(0, first + 1, first);
+    }
+    for (const Metric metric : {Metric::Quadric, Metric::Curvature}) {
+        SimplifyOptions options;
+        options.metric = metric;
+        EXPECT_TRUE(simplifyChecked(mesh.view(), {removedShare(1.0)}, options).levels[0].skipped);
+    }
 }
 
 TEST(BadInput, SoupsAndIslandsGoAsFarAsTheyCan)

@@ -153,38 +153,101 @@ TEST(Seam, MotionKeepsClosedLipsApart)
     }
 }
 
-TEST(Seam, AMouthInAFaceOpensOnlyWhereItDid)
+/// A flat face with a slit in its middle row: at these columns the lips move apart, at all others they are welded.
+TestMesh makeFaceWithMouth(std::uint32_t cells, const std::vector<std::uint32_t>& openColumns)
 {
-    // A flat face with a slit in the middle row from column 3 to column 9; its ends are welded, its lips move apart.
-    constexpr std::uint32_t kCells = 12;
-    TestMesh mesh = makeGrid(kCells, kCells, 12.0);
+    TestMesh mesh = makeGrid(cells, cells, cells);
     TestBuffer& buffer = mesh.buffers[0];
-    std::vector<std::uint32_t> upper(buffer.vertexCount());
-    for (std::uint32_t vertex = 0; vertex < upper.size(); ++vertex)
+    const std::uint32_t middle = cells / 2, welded = buffer.vertexCount();
+    std::vector<std::uint32_t> upper(welded);
+    for (std::uint32_t vertex = 0; vertex < welded; ++vertex)
         upper[vertex] = vertex;
-    for (std::uint32_t column = 4; column < 9; ++column) {
-        const std::uint32_t lower = 6 * (kCells + 1) + column;
-        upper[lower] = buffer.addPosition(column, 6, 0);
+    for (const std::uint32_t column : openColumns) {
+        upper[middle * (cells + 1) + column] = buffer.addPosition(column, middle, 0);
         buffer.addNormal(0, 0, 1);
-        buffer.addUv(column / 12.0, 0.5);
+        buffer.addUv(double(column) / cells, 0.5);
     }
     for (std::size_t i = 0; i < mesh.subMeshes[0].indices.size(); ++i) {
-        const std::size_t row = i / 6 / kCells;
-        if (row >= 6)
+        const std::size_t row = i / 6 / cells;
+        if (row >= middle)
             mesh.subMeshes[0].indices[i] = upper[mesh.subMeshes[0].indices[i]];
     }
     std::vector<float> pose(buffer.positions.size(), 0.0f);
-    for (std::uint32_t vertex = (kCells + 1) * (kCells + 1); vertex < buffer.vertexCount(); ++vertex)
+    for (std::uint32_t vertex = welded; vertex < buffer.vertexCount(); ++vertex)
         pose[3 * vertex + 1] = 0.5f;
     buffer.offsets.push_back(pose);
+    return mesh;
+}
 
-    const Connectivity before = connectivityOf(mesh.view(), Weld::Motion);
-    ASSERT_EQ(before.borderEdges, 4 * kCells + 12u);
+void expectSoundMotion(const TestMesh& mesh, const std::vector<LevelTarget>& targets)
+{
     for (const Metric metric : {Metric::Quadric, Metric::Curvature}) {
         SimplifyOptions options;
         options.metric = metric;
-        simplifyChecked(mesh.view(), {removedShare(0.5), removedShare(0.8), removedShare(1.0)}, options);
+        simplifyChecked(mesh.view(), targets, options);
     }
+}
+
+TEST(Seam, AMouthInAFaceOpensOnlyWhereItDid)
+{
+    constexpr std::uint32_t kCells = 12;
+    const TestMesh mesh = makeFaceWithMouth(kCells, {4, 5, 6, 7, 8});
+    ASSERT_EQ(connectivityOf(mesh.view(), Weld::Motion).borderEdges, 4 * kCells + 12u);
+    expectSoundMotion(mesh, {removedShare(0.5), removedShare(0.8), removedShare(1.0)});
+}
+
+TEST(Seam, ThePointWhereTwoMouthsMeetStays)
+{
+    // Column 6 is sewn up. Left along either mouth, it would take a half of its triangles across to the other lip.
+    constexpr std::uint32_t kCells = 12;
+    TestMesh mesh = makeFaceWithMouth(kCells, {4, 5, 7, 8});
+    ASSERT_EQ(connectivityOf(mesh.view(), Weld::Motion).borderEdges, 4 * kCells + 12u);
+    expectSoundMotion(mesh, {removedShare(0.5), removedShare(0.8), removedShare(1.0)});
+    mesh.buffers[0].importance.assign(mesh.buffers[0].vertexCount(), 1.0f);
+    mesh.buffers[0].importance[6 * (kCells + 1) + 6] = 0.0f;
+    for (const Metric metric : {Metric::Quadric, Metric::Curvature}) {
+        SimplifyOptions options;
+        options.metric = metric;
+        EXPECT_TRUE(simplifyChecked(mesh.view(), {removedVertices(1)}, options).levels[0].skipped);
+    }
+}
+
+TEST(Seam, SheetsThatLieOnEachOtherOpenOnlyWhereTheyDid)
+{
+    // A bag, flat at rest: two equal sheets, the front one bulging, welded at their upper rims. Edges inside have four triangles.
+    TestMesh mesh = makeTwoSidedWall(4);
+    TestBuffer& buffer = mesh.buffers[0];
+    std::vector<float> pose(buffer.positions.size(), 0.0f);
+    for (std::uint32_t vertex = 0; vertex < 20; ++vertex)
+        pose[3 * vertex + 2] = 0.1f;
+    buffer.offsets.push_back(pose);
+    const Connectivity before = connectivityOf(mesh.view(), Weld::Motion);
+    ASSERT_EQ(before.pieces, 1u);
+    ASSERT_EQ(before.borderEdges, 24u);
+    expectSoundMotion(mesh, kHalvings);
+    expectSoundMotion(mesh, {removedShare(1.0)});
+}
+
+TEST(Seam, WhatFillsAGapInMotionIsNotReplacedByAThirdFace)
+{
+    // In motion: a bent sheet, another one that hangs on the bend by its two outer corners, and a triangle of its own
+    // between the two. Its inner corner is the vertex that costs nothing.
+    TestMesh mesh;
+    mesh.buffers.resize(1);
+    mesh.subMeshes.resize(1);
+    TestBuffer& buffer = mesh.buffers[0];
+    for (const Point& p : {Point{0.1, 0.3, 0.0}, Point{0, 0, 0}, Point{0, 1, 0}, Point{1, 0.5, 0}, Point{-1, 0.5, 0.3},
+                           Point{-1, 0.5, -0.3}, Point{0.1, 0.3, 0.0}, Point{0, 0, 0}, Point{0, 1, 0}}) {
+        BoneInfluences influences;
+        influences.bone[0] = buffer.vertexCount() < 6 ? 0 : 1;
+        influences.weight[0] = 1.0f;
+        buffer.bones.push_back(influences);
+        buffer.addPosition(p[0], p[1], p[2]);
+    }
+    mesh.subMeshes[0].indices = {0, 2, 3, 0, 3, 1, 6, 7, 8, 2, 1, 4, 1, 2, 5};
+    ASSERT_EQ(connectivityOf(mesh.view(), Weld::Motion).nonManifoldEdges, 0u);
+    for (const double count : {1.0, 2.0, 3.0})
+        expectSoundMotion(mesh, {removedVertices(count)});
 }
 
 TEST(Seam, ASubMeshMayBeReducedToNothing)

@@ -121,6 +121,34 @@ TEST(Target, DeviationAddsUpOverCornersCutOffOneAfterTheOther)
     simplifyChecked(teeth.view(), {removedShare(0.5)});
 }
 
+TEST(Target, DeviationOfAFoldWithAFaceOnEdge)
+{
+    // Three triangles around the middle of a straight border. The sum of their normals lies in the plane of one of them,
+    // which is a line when seen along it.
+    TestMesh mesh;
+    mesh.buffers.resize(1);
+    mesh.subMeshes.resize(1);
+    mesh.buffers[0].positions = {0.125, 0, 0, 0.25, 0, 0, 0.5, 0, 0, 0.5, 1, 0, 0.5, 0, 0.5};
+    mesh.buffers[0].importance = {1, 0, 1, 1, 1};
+    mesh.subMeshes[0].indices = {2, 3, 1, 1, 3, 4, 1, 4, 0};
+    const LodChain chain = simplifyChecked(mesh.view(), {removedVertices(1)});
+    EXPECT_FALSE(chain.levels[0].skipped);
+    EXPECT_GT(chain.levels[0].deviation, 0.05) << "the fold is cut off";
+}
+
+TEST(Target, DeviationOfAFanThatWindsOneAndAHalfTimes)
+{
+    // Around the middle of a straight border, four triangles turn by 540 degrees instead of 180.
+    TestMesh mesh;
+    mesh.buffers.resize(1);
+    mesh.subMeshes.resize(1);
+    mesh.buffers[0].positions = {0, 0, 0, 0, 1, 0, 0, 3, 0, -0.5f, 3.8f, -1.3f, 1, 2, 0, -1.7f, 5.9f, 2.2f};
+    mesh.buffers[0].importance = {1, 0, 1, 1, 1, 1};
+    mesh.subMeshes[0].indices = {1, 0, 3, 1, 3, 4, 1, 4, 5, 1, 5, 2};
+    const LodChain chain = simplifyChecked(mesh.view(), {removedVertices(1)});
+    EXPECT_FALSE(chain.levels[0].skipped);
+}
+
 TEST(Target, NoDeviationAllowedKeepsACurvedSurface)
 {
     const TestMesh mesh = makeIcosphere(2);
