@@ -65,7 +65,7 @@ DeviationFigures toWorld(const DeviationFigures& local, const LocalFrame& frame)
     return {frame.toWorld(local.mean), frame.toWorld(local.rms), frame.toWorld(local.maximum)};
 }
 
-/// Fills in what distances tell: the figures and the flipped triangles.
+/// Fills in what the surfaces tell: the figures and the flipped triangles.
 Result<Done> measureSurfaces(const Surface& original, const Surface& simplified, const LocalFrame& frame,
                              const DeviationOptions& options, Progress* progress, Deviation& deviation)
 {
@@ -93,10 +93,7 @@ Result<Done> measureSurfaces(const Surface& original, const Surface& simplified,
     deviation.surface = toWorld(FigureSums::combine(there.value().distance, back.value().distance), frame);
     deviation.normal = FigureSums::combine(there.value().normal, back.value().normal);
     deviation.uv = FigureSums::combine(there.value().uv, back.value().uv);
-    std::vector<double> reach = back.value().reach;
-    for (std::size_t i = 0; i < reach.size(); ++i)
-        reach[i] = std::max(reach[i], there.value().otherReach[i]);
-    const Result<std::uint32_t> flipped = countFlippedTriangles(simplified, originalIndex.value(), reach, steps);
+    const Result<std::uint32_t> flipped = countFlippedTriangles(simplified, originalIndex.value(), steps);
     if (!flipped)
         return flipped.error();
     deviation.flippedTriangles = flipped.value();

@@ -14,8 +14,6 @@ public:
     Comparison(const Surface& from, const SurfaceIndex& to)
         : mFrom(from), mTo(to), mPaired(from.mesh().subMeshes.size() == to.surface().mesh().subMeshes.size())
     {
-        mResult.reach.resize(from.triangleCount(), 0.0);
-        mResult.otherReach.resize(to.surface().triangleCount(), 0.0);
     }
 
     void measure(const SurfaceSample& sample, void (FigureSums::*add)(double))
@@ -25,8 +23,6 @@ public:
         mGuess = hit.triangle;
         const double distance = hit.distance();
         (mResult.distance.*add)(distance);
-        mResult.reach[sample.triangle] = std::max(mResult.reach[sample.triangle], distance);
-        mResult.otherReach[hit.triangle] = std::max(mResult.otherReach[hit.triangle], distance);
 
         const AttributeDifference difference = compareAttributes(sample, distance);
         if (difference.normal)

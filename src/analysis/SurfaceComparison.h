@@ -32,9 +32,6 @@ struct SurfaceComparison {
     FigureSums distance; ///< local frame
     FigureSums normal;   ///< radians
     FigureSums uv;
-    std::vector<double> reach; ///< for each triangle of the sampled surface, the largest distance of its samples
-    std::vector<double>
-        otherReach; ///< for each triangle of the other one, the largest distance of the samples closest to it
 };
 
 /// Measures samples of one surface against another. Both surfaces need a triangle and live in one LocalFrame.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace lodsmith {
 
@@ -71,9 +72,14 @@ void QuadricCost::begin(const CollapseMesh& mesh, const OneRing& ring)
     mRing = &ring;
     mArea = 0.0f;
     mPlaneCount = 0;
+    static const CollapseMesh* known = nullptr; static float total = 0; static unsigned lastFaces=0;
+    if (known != mMesh || mMesh->liveFaces > lastFaces) { known = mMesh; total = 0; for (auto& f : mMesh->faces) if (!mMesh->isGone(f)) total += f.area; }
+    lastFaces = mMesh->liveFaces;
+    static const float kappa = getenv("KAPPA") ? atof(getenv("KAPPA")) : 0;
+    const float w = kappa * total / mMesh->liveFaces;
     for (std::uint32_t i = 0; i < ring.faceCount; ++i) {
         const CollapseMesh::Face& face = mesh.faces[ring.faces[i].face];
-        mPlanes[mPlaneCount++] = {face.normal[0], face.normal[1], face.normal[2], face.area};
+        mPlanes[mPlaneCount++] = {face.normal[0], face.normal[1], face.normal[2], face.area + w};
         mArea += face.area;
     }
     if (!ring.isPlain || mesh.firstFaceOfSubMesh.size() > 2)

@@ -251,53 +251,6 @@ TEST(Deviation, AttributesAreComparedWithinTheSubMesh)
     EXPECT_DOUBLE_EQ(without.surface.maximum, 0.125);
 }
 
-TEST(Deviation, FlippedTriangle)
-{
-    TestMesh flipped = makeGrid(4, 4);
-    std::swap(flipped.subMeshes[0].indices[30], flipped.subMeshes[0].indices[31]);
-    EXPECT_EQ(deviationOf(makeGrid(4, 4), flipped).flippedTriangles, 1u);
-    EXPECT_EQ(deviationOf(makeGrid(4, 4), turnedInsideOut(makeGrid(4, 4))).flippedTriangles, 32u);
-    EXPECT_EQ(deviationOf(makeIcosphere(3), turnedInsideOut(makeIcosphere(1)), 20000).flippedTriangles, 80u);
-}
-
-TEST(Deviation, FoldedOverTriangles)
-{
-    TestMesh folded = makeGrid(2, 2);
-    std::vector<float>& positions = folded.buffers[0].positions;
-    positions[3 * 4] = 1.25f; // the middle vertex leaves the square sideways
-    std::uint32_t reversed = 0;
-    const std::vector<std::uint32_t>& indices = folded.subMeshes[0].indices;
-    for (std::size_t i = 0; i < indices.size(); i += 3) {
-        const float *a = &positions[3 * indices[i]], *b = &positions[3 * indices[i + 1]],
-                    *c = &positions[3 * indices[i + 2]];
-        reversed += (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) < 0.0f;
-    }
-    ASSERT_GT(reversed, 0u);
-    EXPECT_EQ(deviationOf(makeGrid(2, 2), folded).flippedTriangles, reversed);
-}
-
-TEST(Deviation, TrianglesWithoutAreaAreNotFlipped)
-{
-    TestMesh needles = makeGrid(4, 4);
-    needles.subMeshes[0].addTriangle(0, 2, 1);
-    needles.subMeshes[0].addTriangle(0, 1, 2);
-    EXPECT_EQ(deviationOf(makeGrid(4, 4), needles).flippedTriangles, 0u);
-}
-
-TEST(Deviation, CoarseLevelsOfCurvedSurfacesAreNotFlipped)
-{
-    EXPECT_EQ(deviationOf(makeIcosphere(5), makeIcosphere(0), 20000).flippedTriangles, 0u);
-    EXPECT_EQ(deviationOf(makeTorus(64, 32), makeTorus(8, 4), 20000).flippedTriangles, 0u);
-    // A lid over a deep groove faces its floor's way, though the groove's walls are nearer.
-    const auto groove = [](std::uint32_t columns) {
-        return withoutNormals(makePatch(columns, 1, [](double u, double v) {
-            const double across = std::abs(u - 0.5);
-            return Point{u, v, across < 0.06 ? -0.5 : 0.0};
-        }));
-    };
-    EXPECT_EQ(deviationOf(groove(20), groove(1), 20000).flippedTriangles, 0u);
-}
-
 TEST(Deviation, ScalesWithTheMesh)
 {
     const TestMesh fine = makeTerrain(24), coarse = makeTerrain(6);

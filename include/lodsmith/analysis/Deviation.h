@@ -40,8 +40,16 @@ struct Deviation {
     /// Radians between shading normals at closest points, 0..pi; the face's normal where a mesh has none.
     DeviationFigures normal;
     DeviationFigures uv; ///< UV units in set 0 at closest points; zero unless both meshes have it
-    /// Triangles that face against every original triangle near their centre: within the largest distance between the
-    /// surfaces measured on the triangle. Those thinner than 1e-6 of the mesh's size are not counted.
+    /// Triangles that face against the original at their corners, where the two surfaces are the same, rather than
+    /// against what is nearest, which may be the other side of a thin sheet. Against means that the cosine between the
+    /// normals, averaged over the three corners, is below -0.02 (a degree beyond standing across): both with all
+    /// original triangles that have a vertex there, weighted by their angles, and with those that leave the corner in
+    /// the direction of the triangle's centre (to 0.05 radians; the one that agrees best). One corner where it agrees
+    /// with the latter to 45 degrees clears a triangle: it reaches round an edge. A corner that is no vertex of the
+    /// original is compared with the triangles at its closest point. So a triangle of the original itself is never
+    /// flipped. With corners on sharp edges only, or far larger than the bumps at its corners, a triangle is hard to
+    /// judge: some flipped ones are missed there, and some others counted. Triangles thinner than 1e-6 of their length
+    /// are not counted.
     std::uint32_t flippedTriangles = 0;
     /// Edges with one triangle that do not stand for such edges: cracks and holes.
     std::uint32_t newBorderEdges = 0;
