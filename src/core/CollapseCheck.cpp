@@ -7,7 +7,7 @@ namespace lodsmith {
 
 namespace {
 
-constexpr double kLeastCosine = 0.2;    // a face may turn by up to 78 degrees in one collapse
+constexpr double kLeastCosine = 0.2;    // a face may turn by up to 78 degrees, in one collapse and in all
 constexpr std::uint32_t kHubFaces = 64; // from here on it is cheaper to ask the neighbours than to walk the hub
 
 bool isApex(const OneRing& ring, std::uint32_t neighbour, std::uint32_t other)
@@ -24,6 +24,14 @@ bool hasFace(const OneRing& ring, std::uint32_t a, std::uint32_t b)
         if (ring.contains(ring.faces[i], a) && ring.contains(ring.faces[i], b))
             return true;
     return false;
+}
+
+/// Whether a normal, of any length, is turned too far from a unit one; from that of a face that had no area, none is.
+bool isTurnedOver(const Vec3& before, const Vec3& after)
+{
+    const double along = dot(before, after);
+    const bool hadNoArea = !(lengthSquared(before) > 0.0); // areas get too small for a float, normals do not
+    return !hadNoArea && !(along > 0.0 && along * along > kLeastCosine * kLeastCosine * lengthSquared(after));
 }
 
 } // namespace
@@ -52,9 +60,7 @@ bool CollapseCheck::turnsFaceOver(const OneRing& ring, std::uint32_t neighbour) 
         const CollapseMesh::Face& face = mMesh.faces[ringFace.face];
         const Vec3 after = cross(ring.neighbours[ringFace.second].edge - e, ring.neighbours[ringFace.third].edge - e);
         const Vec3 before{face.normal[0], face.normal[1], face.normal[2]};
-        const double along = dot(before, after);
-        const bool hadNoArea = !(lengthSquared(before) > 0.0); // areas get too small for a float, normals do not
-        if (!hadNoArea && !(along > 0.0 && along * along > kLeastCosine * kLeastCosine * lengthSquared(after)))
+        if (isTurnedOver(before, after) || isTurnedOver(mMesh.firstNormal(ringFace.face), after))
             return true;
     }
     return false;

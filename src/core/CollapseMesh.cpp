@@ -33,6 +33,17 @@ void CollapseMesh::updatePlane(Face& face) const
     face.area = static_cast<float>(0.5 * size);
 }
 
+void CollapseMesh::buildPlanes()
+{
+    const auto steps = [](float n) { return static_cast<std::int8_t>(std::lround(n * kNormalSteps)); };
+    mFirstNormals.reserve(faces.size());
+    for (Face& face : faces) {
+        updatePlane(face);
+        area += face.area;
+        mFirstNormals.push_back({steps(face.normal[0]), steps(face.normal[1]), steps(face.normal[2])});
+    }
+}
+
 void CollapseMesh::prefetchFaces(std::uint32_t vertex) const
 {
     const std::uint32_t* list = faceList(vertex);

@@ -7,6 +7,7 @@
 #include <lodsmith/core/LodChain.h>
 #include <lodsmith/core/MeshView.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -108,6 +109,16 @@ public:
     /// Normal and area of a face from its corners' positions.
     void updatePlane(Face& face) const;
 
+    /// Computes the planes of all faces, and keeps what the collapses have to be compared with.
+    void buildPlanes();
+
+    /// The normal that a face had in the input, about unit; zero on a face without area.
+    Vec3 firstNormal(std::uint32_t face) const
+    {
+        const auto& n = mFirstNormals[face];
+        return Vec3{double(n[0]), double(n[1]), double(n[2])} * (1.0 / kNormalSteps);
+    }
+
     /// Lists the faces of every vertex; to be called once, when all faces are there.
     void buildFaceLists();
 
@@ -135,16 +146,26 @@ public:
     std::size_t attributeStride = 0; ///< floats a wedge, even; 0 when no attribute counts
     std::vector<float> attributes;   ///< scaled and weighted, so that their squares add to squared distances
 
+    /// What a face's area counts as in costs: with a share of the mean face's, so that tips and thin parts, whose faces
+    /// are small, are not given away for nothing.
+    float weightOf(const Face& face) const { return face.area + kMeanShare * static_cast<float>(area / liveFaces); }
+
+    double area = 0.0; ///< of all faces of the input, scaled
     std::uint32_t liveVertices = 0;
     std::uint32_t liveFaces = 0;
     double scale = 1.0; ///< power of two: scaled = world * scale
     LodChain summary;   ///< figures of the input, no levels
 
 private:
+    static constexpr float kMeanShare = 0.3f; // chosen on the curve of mean and maximum deviation over it
+
     void growFaceList(Vertex& vertex, std::uint32_t needed);
     void compactAllFaceLists();
 
+    static constexpr double kNormalSteps = 127.0;
+
     std::vector<std::uint32_t> mFaceLists;
+    std::vector<std::array<std::int8_t, 3>> mFirstNormals; ///< in steps, to save memory: half a degree is near enough
 };
 
 } // namespace lodsmith

@@ -30,7 +30,7 @@ void PieceRemoval::measure()
     }
     mArea = 0.0;
     for (std::uint32_t face : mFaces) {
-        mArea += mMesh.faces[face].area;
+        mArea += mMesh.weightOf(mMesh.faces[face]);
         before = std::max<double>(before, mMesh.faces[face].deviation);
     }
     mDistance = std::sqrt(sum / static_cast<double>(mVertices.size()));

@@ -23,7 +23,7 @@ public:
 
     /// What find() has found, until the mesh changes. Scaled units.
     const std::vector<std::uint32_t>& vertices() const { return mVertices; }
-    double area() const { return mArea; }
+    double area() const { return mArea; }           ///< as it counts in costs
     double distance() const { return mDistance; }   ///< of its vertices from what stays, root mean square
     double deviation() const { return mDeviation; } ///< bound on the distance of the original surface from what stays
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace lodsmith {
 
@@ -17,10 +16,11 @@ constexpr float kBorderWeight = 1.0f;    // of a border's constraint plane again
 constexpr float kMaterialWeight = 0.25f; // ... of a border between submeshes, where two unit normals are added
 constexpr float kSeamWeight = 0.25f; // ... of a seam, likewise, across which attributes jump by an edge length or more
 constexpr float kShortEdge = 1e-9f;  // share of area * length^2: among flat choices the shortest edge wins
-constexpr double kFarthest = 4.0;    // a face's attributes are continued no farther than this many of its edges
+constexpr float kFarthest = 4.0f;    // a face's attributes are continued no farther than this many of its edges
 constexpr std::uint32_t kGuessFaces = 8; // more do not make a better guess
 constexpr double kAttributeShare = 1.5;  // what attributes usually make of the cost of the geometry
-constexpr double kThinnest = 0.1;        // slivers below this height to length do not steepen their gradients further
+constexpr float kLeastFloat = std::numeric_limits<float>::min();
+constexpr float kThinnest = 0.1f; // slivers below this height to length do not steepen their gradients further
 
 Vec3 normalOf(const CollapseMesh::Face& face)
 {
@@ -44,14 +44,14 @@ float QuadricCost::guess(const CollapseMesh& mesh, std::uint32_t vertex) const
     for (std::uint32_t i = 0; i < count; ++i) {
         const CollapseMesh::Face& face = mesh.faces[list[i]];
         const float x = face.normal[0], y = face.normal[1], z = face.normal[2];
-        const float wx = face.area * x, wy = face.area * y, wz = face.area * z;
+        const float weight = mesh.weightOf(face), wx = weight * x, wy = weight * y, wz = weight * z;
         xx += wx * x;
         xy += wx * y;
         xz += wx * z;
         yy += wy * y;
         yz += wy * z;
         zz += wz * z;
-        shortEdge += kShortEdge * face.area;
+        shortEdge += kShortEdge * weight;
     }
     const float* origin = mesh.vertices[vertex].position;
     float least = kNever;
@@ -72,14 +72,9 @@ void QuadricCost::begin(const CollapseMesh& mesh, const OneRing& ring)
     mRing = &ring;
     mArea = 0.0f;
     mPlaneCount = 0;
-    static const CollapseMesh* known = nullptr; static float total = 0; static unsigned lastFaces=0;
-    if (known != mMesh || mMesh->liveFaces > lastFaces) { known = mMesh; total = 0; for (auto& f : mMesh->faces) if (!mMesh->isGone(f)) total += f.area; }
-    lastFaces = mMesh->liveFaces;
-    static const float kappa = getenv("KAPPA") ? atof(getenv("KAPPA")) : 0;
-    const float w = kappa * total / mMesh->liveFaces;
     for (std::uint32_t i = 0; i < ring.faceCount; ++i) {
         const CollapseMesh::Face& face = mesh.faces[ring.faces[i].face];
-        mPlanes[mPlaneCount++] = {face.normal[0], face.normal[1], face.normal[2], face.area + w};
+        mPlanes[mPlaneCount++] = {face.normal[0], face.normal[1], face.normal[2], mesh.weightOf(face)};
         mArea += face.area;
     }
     if (!ring.isPlain || mesh.firstFaceOfSubMesh.size() > 2)
@@ -102,8 +97,10 @@ void QuadricCost::measurePlanes()
     const float shortEdge = kShortEdge * mArea;
     const std::uint32_t lanes =
         (count + kLanes - 1) / kLanes * kLanes; // what lies beyond the last neighbour does no harm
-    for (std::uint32_t i = 0; i < lanes; ++i)
-        mBound[i] = shortEdge * (mX[i] * mX[i] + mY[i] * mY[i] + mZ[i] * mZ[i]);
+    for (std::uint32_t i = 0; i < lanes; ++i) {
+        mSquared[i] = mX[i] * mX[i] + mY[i] * mY[i] + mZ[i] * mZ[i];
+        mBound[i] = shortEdge * mSquared[i];
+    }
     for (std::uint32_t p = 0; p < mPlaneCount; ++p) {
         const Plane plane = mPlanes[p];
         for (std::uint32_t i = 0; i < lanes; ++i) {
@@ -132,7 +129,7 @@ double QuadricCost::lengthOf(float cost, const CollapseMesh& mesh, const OneRing
 {
     double area = 0.0;
     for (std::uint32_t i = 0; i < ring.faceCount; ++i)
-        area += mesh.faces[ring.faces[i].face].area;
+        area += mesh.weightOf(mesh.faces[ring.faces[i].face]);
     return area > 0.0 ? std::sqrt(cost / area) : 0.0;
 }
 
@@ -148,37 +145,58 @@ float QuadricCost::attributeCost(std::uint32_t neighbour)
         along[i] = x * mX[i] + y * mY[i] + z * mZ[i];
     float sum = 0.0f;
     for (std::uint32_t i = 0; i < mWedges.count(); ++i)
-        sum += wedgeCost(mRing->neighbours[neighbour].edge, along, mWedges.from(i), mWedges.to(i));
+        sum += wedgeCost(along, mWedges.from(i), mWedges.to(i));
     return sum;
 }
 
 /// The face of this wedge that lies behind, seen along the edge, is continued to the destination. `along` has each
 /// neighbour's component along the edge, times its length.
-float QuadricCost::wedgeCost(const Vec3& edge, const float* along, std::uint32_t wedge, std::uint32_t target) const
+float QuadricCost::wedgeCost(const float* along, std::uint32_t wedge, std::uint32_t target) const
 {
-    const bool isOnly = !mRing->isSeam;
-    float least = kNever, area = isOnly ? mArea : 0.0f;
-    const OneRing::RingFace* behind = nullptr;
-    for (std::uint32_t i = 0; i < mRing->faceCount; ++i) {
+    const Continuation behind = continuationBehind(along, wedge);
+    const auto bounded = [](float t) { return std::clamp(t, -kFarthest, kFarthest); };
+    const OneRing::RingFace& face = mRing->faces[behind.face];
+    return areaOf(wedge)
+           * mMesh->secondDifference(wedge, target, face.wedge[1], bounded(behind.second), face.wedge[2],
+                                     bounded(behind.third));
+}
+
+float QuadricCost::areaOf(std::uint32_t wedge) const
+{
+    if (!mRing->isSeam)
+        return mArea;
+    float area = 0.0f;
+    for (std::uint32_t i = 0; i < mRing->faceCount; ++i)
+        if (mRing->faces[i].wedge[0] == wedge)
+            area += mMesh->faces[mRing->faces[i].face].area;
+    return area;
+}
+
+/// The face whose corner at the vertex spans the direction opposite to the edge, or comes nearest to that.
+QuadricCost::Continuation QuadricCost::continuationBehind(const float* along, std::uint32_t wedge) const
+{
+    Continuation behind;
+    for (std::uint32_t i = 0; i < mRing->faceCount && behind.least() < 0.0f; ++i) {
         const OneRing::RingFace& face = mRing->faces[i];
-        if (face.wedge[0] != wedge)
+        const bool isAhead = along[face.second] >= 0.0f && along[face.third] >= 0.0f;
+        if (face.wedge[0] != wedge || (isAhead && behind.least() > -kNever))
             continue;
-        if (!isOnly)
-            area += mPlanes[i].weight;
-        const float sum = along[face.second] + along[face.third];
-        behind = sum < least ? &face : behind;
-        least = std::min(sum, least);
+        const Continuation here = continuation(i, -along[face.second], -along[face.third]);
+        if (here.least() > behind.least())
+            behind = here;
     }
-    // Barycentric coordinates of the second and third corner at the point opposite to the destination.
-    const CollapseMesh::Face& face = mMesh->faces[behind->face];
-    const Vec3 &second = mRing->neighbours[behind->second].edge, &third = mRing->neighbours[behind->third].edge;
-    const Vec3 across = cross(edge, normalOf(face));
-    const double inverse =
-        1.0 / std::max(2.0 * face.area, kThinnest * std::max(lengthSquared(second), lengthSquared(third)));
-    const auto bounded = [](double t) { return static_cast<float>(std::clamp(t, -kFarthest, kFarthest)); };
-    return area
-           * mMesh->secondDifference(wedge, target, behind->wedge[1], bounded(dot(across, third) * inverse),
-                                     behind->wedge[2], bounded(-dot(across, second) * inverse));
+    return behind;
+}
+
+/// A direction of the given products with the face's two sides, in their terms.
+QuadricCost::Continuation QuadricCost::continuation(std::uint32_t face, float alongSecond, float alongThird) const
+{
+    const std::uint32_t i = mRing->faces[face].second, k = mRing->faces[face].third;
+    const float ii = mSquared[i], kk = mSquared[k];
+    const float ik = mX[i] * mX[k] + mY[i] * mY[k] + mZ[i] * mZ[k];
+    const float doubled = 2.0f * mMesh->faces[mRing->faces[face].face].area;
+    const float inverse = 1.0f / std::max(std::max(doubled, kThinnest * std::max(ii, kk)) * doubled, kLeastFloat);
+    return {face, (kk * alongSecond - ik * alongThird) * inverse, (ii * alongThird - ik * alongSecond) * inverse};
 }
 
 /// Planes upright on the surface along borders, submesh borders and seams. The cross product carries the edge's length, so

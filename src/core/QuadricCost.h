@@ -32,12 +32,23 @@ private:
     };
 
     static double importanceFactor(const CollapseMesh& mesh, std::uint32_t vertex);
+    /// A point in the plane of a ring's face, as shares of the two sides at the vertex.
+    struct Continuation {
+        std::uint32_t face = 0;
+        float second = -kNever, third = -kNever;
+
+        float least() const { return std::min(second, third); }
+    };
+
     void measurePlanes();
     void addConstraints();
     void addPlane(const Vec3& normal, float weight);
     float seamWeight(const OneRing::RingFace& a, const OneRing::RingFace& b, std::uint32_t neighbour) const;
     float attributeCost(std::uint32_t neighbour);
-    float wedgeCost(const Vec3& edge, const float* along, std::uint32_t wedge, std::uint32_t target) const;
+    float wedgeCost(const float* along, std::uint32_t wedge, std::uint32_t target) const;
+    float areaOf(std::uint32_t wedge) const;
+    Continuation continuationBehind(const float* along, std::uint32_t wedge) const;
+    Continuation continuation(std::uint32_t face, float alongSecond, float alongThird) const;
 
     const CollapseMesh* mMesh = nullptr;
     const OneRing* mRing = nullptr;
@@ -46,9 +57,10 @@ private:
     std::uint32_t mPlaneCount = 0;
     Plane mPlanes[OneRing::kMaxFaces + OneRing::kMaxNeighbours]; ///< those of the faces, then the constraints
     float mX[OneRing::kMaxNeighbours] = {}, mY[OneRing::kMaxNeighbours] = {},
-          mZ[OneRing::kMaxNeighbours] = {}; ///< edges to the neighbours
-    bool mExact[OneRing::kMaxNeighbours];   ///< whether mBound has the attributes in it
-    float mBound[OneRing::kMaxNeighbours];  ///< of each neighbour's cost, from below; kNever when rejected
+          mZ[OneRing::kMaxNeighbours] = {};  ///< edges to the neighbours
+    float mSquared[OneRing::kMaxNeighbours]; ///< lengths of the edges
+    bool mExact[OneRing::kMaxNeighbours];    ///< whether mBound has the attributes in it
+    float mBound[OneRing::kMaxNeighbours];   ///< of each neighbour's cost, from below; kNever when rejected
     WedgeMap mWedges;
 };
 

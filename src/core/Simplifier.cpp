@@ -14,7 +14,7 @@ constexpr std::uint32_t kCacheSize = 8192; // vertices of a mesh that fits the s
 
 Simplifier::Simplifier(CollapseMesh& mesh, std::unique_ptr<CollapseCost> cost, const VertexLocks& locks)
     : mMesh(mesh), mCost(std::move(cost)), mCheck(mesh), mPieces(mesh), mState(mesh.vertexCount(), 0),
-      mTarget(mesh.vertexCount(), kNone)
+      mKey(mesh.vertexCount(), 0.0f), mTarget(mesh.vertexCount(), kNone)
 {
     for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v)
         if (mesh.isAlive(v))
@@ -30,8 +30,8 @@ void Simplifier::prepare(std::uint32_t v, const VertexLocks& locks)
         return;
     }
     // Most vertices lose a neighbour before their turn comes: it would be too early to evaluate them.
-    mState[v] = kQueued | kStale;
-    mQueue.insert(mCost->guess(mMesh, v), v);
+    mState[v] = kStale;
+    insert(v, mCost->guess(mMesh, v));
 }
 
 /// Sets aside a vertex that can neither be collapsed nor vanish.
@@ -44,7 +44,15 @@ void Simplifier::stall(std::uint32_t vertex)
 void Simplifier::enqueue(std::uint32_t vertex, std::uint32_t target, float cost)
 {
     mTarget[vertex] = target;
-    mState[vertex] = kQueued;
+    mState[vertex] = 0;
+    insert(vertex, cost);
+}
+
+/// Gives a vertex its place in the queue. An entry that it has already counts no more.
+void Simplifier::insert(std::uint32_t vertex, float cost)
+{
+    mState[vertex] |= kQueued;
+    mKey[vertex] = cost;
     mQueue.insert(cost, vertex);
 }
 
@@ -62,8 +70,8 @@ void Simplifier::requeueStalled()
     for (std::uint32_t v : stalled) {
         if (!(mState[v] & kStalled) || !mMesh.isAlive(v))
             continue;
-        mState[v] = static_cast<std::uint8_t>((mState[v] & ~kStalled) | kStale | kQueued);
-        mQueue.insert(mFrontCost, v);
+        mState[v] = kStale;
+        insert(v, mFrontCost);
     }
 }
 
@@ -89,9 +97,9 @@ void Simplifier::advance(const CollapseLimits& limits)
     const CostMultiset::Entry front = mQueue.pop();
     prefetchAhead();
     const std::uint32_t v = front.vertex;
-    mState[v] &= static_cast<std::uint8_t>(~kQueued);
-    if (!mMesh.isAlive(v))
+    if (!(mState[v] & kQueued) || mKey[v] != front.cost || !mMesh.isAlive(v))
         return;
+    mState[v] &= static_cast<std::uint8_t>(~kQueued);
     mFrontCost = front.cost;
     if (!mRing.build(mMesh, v)) {
         stall(v);
@@ -117,12 +125,14 @@ void Simplifier::advance(const CollapseLimits& limits)
         mCost->reject(candidate.neighbour);
         candidate = mCost->cheapest();
     }
-    if (candidate.neighbour < 0)
+    if (candidate.neighbour < 0) {
         removePiece(limits);
-    else if (isFront(candidate.cost))
+    } else if (isFront(candidate.cost)) {
         collapse(candidate);
-    else
+    } else {
         enqueue(candidate);
+        mState[v] |= kHeldBack;
+    }
 }
 
 /// What no collapse can make smaller may vanish as a whole. Such an entry of the queue has its own vertex for a target.
@@ -206,17 +216,17 @@ void Simplifier::moveFaces(std::uint32_t neighbour)
         mMesh.raiseDeviation(destination, mPatchDeviation.lost());
 }
 
+/// Lets all neighbours be evaluated again: at their turn, or now if a cheaper collapse of theirs may no longer be forbidden.
 void Simplifier::touchRing()
 {
     for (std::uint32_t i = 0; i < mRing.neighbourCount; ++i) {
         const std::uint32_t v = mRing.neighbours[i].vertex;
         if (mState[v] & kLocked)
             continue;
-        mState[v] |= kStale;
-        if (mState[v] & kQueued)
-            continue;
-        mState[v] = static_cast<std::uint8_t>((mState[v] & ~kStalled) | kQueued);
-        mQueue.insert(mFrontCost, v);
+        const bool waits = (mState[v] & (kQueued | kHeldBack)) == kQueued;
+        mState[v] = static_cast<std::uint8_t>((mState[v] & kQueued) | kStale);
+        if (!waits)
+            insert(v, mFrontCost);
     }
 }
 

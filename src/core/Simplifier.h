@@ -64,7 +64,8 @@ private:
         kQueued = 1, ///< has an entry in the queue
         kStale = 2,  ///< its neighbourhood changed since it was evaluated
         kLocked = 4,
-        kStalled = 8, ///< had no allowed collapse when last looked at
+        kStalled = 8,   ///< had no allowed collapse when last looked at
+        kHeldBack = 16, ///< a cheaper collapse than that of its entry was forbidden when last looked at
     };
 
     void prepare(std::uint32_t vertex, const VertexLocks& locks);
@@ -74,6 +75,7 @@ private:
     void prefetchAhead() const;
     void stall(std::uint32_t vertex);
     void enqueue(std::uint32_t vertex, std::uint32_t target, float cost);
+    void insert(std::uint32_t vertex, float cost);
     void enqueue(const Candidate& candidate)
     {
         enqueue(mRing.vertex, mRing.neighbours[candidate.neighbour].vertex, candidate.cost);
@@ -100,6 +102,7 @@ private:
     OneRing mRing;
     WedgeMap mWedges;
     std::vector<std::uint8_t> mState;
+    std::vector<float> mKey; ///< cost of each vertex's entry in the queue
     std::vector<std::uint32_t>
         mTarget; ///< destination of each vertex's cheapest collapse, as last evaluated; itself when its piece is to vanish
     std::vector<std::uint32_t> mStalled;

@@ -133,8 +133,7 @@ Result<LodChain> run(const MeshView& view, const std::vector<LevelTarget>& targe
     if (!welded)
         return welded.error();
     CollapseMesh& mesh = welded.value();
-    for (CollapseMesh::Face& face : mesh.faces)
-        mesh.updatePlane(face);
+    mesh.buildPlanes();
     buildAttributes(mesh, view, options.metric == Metric::Quadric ? options.weights : AttributeWeights{0, 0, 0, 0});
     mesh.buildFaceLists();
     std::unique_ptr<CollapseCost> cost;

@@ -110,8 +110,8 @@ TEST(QuadricMetric, PyramidApexByHand)
         expectApexCost(height, Metric::Quadric, std::sqrt(2.0) * height / std::sqrt(1.0 + height * height));
 }
 
-/// The cheapest allowed collapse of a closed mesh by the definition: planes of the faces around the source, area-weighted,
-/// as a length. A face must not turn by more than a right angle.
+/// The cheapest allowed collapse of a closed mesh by the definition: planes of the faces around the source, weighted by
+/// area and three tenths of the mean face's, as a length. A face must not turn by more than a right angle.
 double cheapestQuadricLength(const MeshView& view)
 {
     const WeldedPositions welded = weldPositions(view);
@@ -125,6 +125,10 @@ double cheapestQuadricLength(const MeshView& view)
     const auto corners = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         return Triangle{welded.points[a], welded.points[b], welded.points[c]};
     };
+    double whole = 0.0;
+    for (const WeldedTriangle& triangle : triangles)
+        whole += 0.5 * length(areaNormal(corners(triangle.positions[0], triangle.positions[1], triangle.positions[2])));
+    const double share = 0.3 * whole / static_cast<double>(triangles.size());
     double cheapest = std::numeric_limits<double>::infinity();
     for (const auto& [source, ring] : rings) {
         for (const auto& edge : ring) {
@@ -135,8 +139,9 @@ double cheapestQuadricLength(const MeshView& view)
             for (const auto& face : ring) {
                 const Point normal = areaNormal(corners(face[0], face[1], face[2]));
                 const double distance = dot(step, normal) / length(normal);
-                cost += 0.5 * length(normal) * distance * distance;
-                area += 0.5 * length(normal);
+                const double weight = 0.5 * length(normal) + share;
+                cost += weight * distance * distance;
+                area += weight;
                 if (face[1] != destination && face[2] != destination)
                     flips |= dot(normal, areaNormal(corners(destination, face[1], face[2]))) <= 0.0;
             }

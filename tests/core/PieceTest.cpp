@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <cmath>
 
 namespace lodsmith {
 
@@ -73,7 +73,9 @@ TEST(Piece, TheDistanceToWhatStaysIsItsDeviation)
     EXPECT_TRUE(isThere(chain.levels[0], 1));
     EXPECT_EQ(chain.levels[0].stop, StopReason::TargetReached);
     EXPECT_FALSE(isThere(chain.levels[1], 1));
-    EXPECT_NEAR(chain.levels[1].deviation, 0.25, 1e-4);
+    // A corner may be off the edge of the face below the centre, by less than the triangle is long.
+    EXPECT_GE(chain.levels[1].deviation, 0.25);
+    EXPECT_LT(chain.levels[1].deviation, std::hypot(0.25, 0.03));
 }
 
 TEST(Piece, TheDistanceToWhatStaysIsItsCost)

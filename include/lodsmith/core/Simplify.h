@@ -36,7 +36,7 @@ enum class Metric {
 /// How much a difference in an attribute counts beside geometric deviation; 0 ignores it. Only Metric::Quadric uses them.
 /// The measure of each is a length, so that results do not depend on a mesh's size: see docs/simplifier.md.
 struct AttributeWeights {
-    float normal = 0.002f; ///< per unit of normal difference, in shares of the bounding radius
+    float normal = 0.001f; ///< per unit of normal difference, in shares of the bounding radius
     float uv = 0.1f;       ///< per world unit that the texture slides, at the mesh's mean texel density
     float colour = 0.01f;  ///< per unit of colour difference, in shares of the bounding radius
     float bone = 0.01f;    ///< per unit of bone weight difference, in shares of the bounding radius
