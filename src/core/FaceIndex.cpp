@@ -10,6 +10,22 @@ constexpr std::uint32_t kLeafFaces = 4;
 
 } // namespace
 
+FaceIndex::Node FaceIndex::emptyBox()
+{
+    Node node{};
+    std::fill(node.low, node.low + 3, std::numeric_limits<float>::max());
+    std::fill(node.high, node.high + 3, std::numeric_limits<float>::lowest());
+    return node;
+}
+
+void FaceIndex::extend(Node& node, const float* low, const float* high)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        node.low[axis] = std::min(node.low[axis], low[axis]);
+        node.high[axis] = std::max(node.high[axis], high[axis]);
+    }
+}
+
 std::uint32_t FaceIndex::nearest(const Vec3& point, const std::vector<std::uint32_t>& except)
 {
     refresh();
@@ -24,61 +40,64 @@ void FaceIndex::refresh()
         return;
     mFaces.clear();
     mFaces.reserve(mMesh.liveFaces);
-    for (std::uint32_t i = 0; i < mMesh.faces.size(); ++i)
-        if (!mMesh.isGone(mMesh.faces[i]))
-            mFaces.push_back(i);
+    Node box = emptyBox();
+    for (std::uint32_t i = 0; i < mMesh.faces.size(); ++i) {
+        if (mMesh.isGone(mMesh.faces[i]))
+            continue;
+        mFaces.push_back({{0.0f, 0.0f, 0.0f}, i});
+        for (std::uint32_t wedge : mMesh.faces[i].wedge) {
+            const float* p = mMesh.vertices[mMesh.vertexOf(wedge)].position;
+            extend(box, p, p);
+            for (int axis = 0; axis < 3; ++axis)
+                mFaces.back().centre[axis] += p[axis] / 3.0f;
+        }
+    }
     mNodes.clear();
-    build(0, static_cast<std::uint32_t>(mFaces.size()));
+    mNodes.reserve(mFaces.size());
+    build(0, static_cast<std::uint32_t>(mFaces.size()), box);
 }
 
-void FaceIndex::build(std::uint32_t first, std::uint32_t last)
+/// Makes the node for a range of faces, whose centres lie in the given part of space, and all below it.
+void FaceIndex::build(std::uint32_t first, std::uint32_t last, Node part)
 {
     const std::size_t number = mNodes.size();
-    mNodes.push_back(boxAround(first, last));
-    if (last - first <= kLeafFaces)
+    mNodes.push_back(emptyBox());
+    if (last - first <= kLeafFaces) {
+        Node& leaf = mNodes[number];
+        leaf.first = first;
+        leaf.count = last - first;
+        for (std::uint32_t i = first; i < last; ++i)
+            for (std::uint32_t wedge : mMesh.faces[mFaces[i].face].wedge) {
+                const float* p = mMesh.vertices[mMesh.vertexOf(wedge)].position;
+                extend(leaf, p, p);
+            }
         return;
-    const Node& box = mNodes[number];
+    }
     int axis = 0;
     for (const int other : {1, 2})
-        if (box.high[other] - box.low[other] > box.high[axis] - box.low[axis])
+        if (part.high[other] - part.low[other] > part.high[axis] - part.low[axis])
             axis = other;
-    const auto key = [&](std::uint32_t face) {
-        float sum = 0.0f;
-        for (std::uint32_t wedge : mMesh.faces[face].wedge)
-            sum += mMesh.vertices[mMesh.vertexOf(wedge)].position[axis];
-        return sum;
-    };
     const std::uint32_t middle = (first + last) / 2;
     std::nth_element(mFaces.begin() + first, mFaces.begin() + middle, mFaces.begin() + last,
-                     [&](std::uint32_t a, std::uint32_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
-    build(first, middle);
-    mNodes[number].count = 0;
-    mNodes[number].first = static_cast<std::uint32_t>(mNodes.size());
-    build(middle, last);
-}
-
-FaceIndex::Node FaceIndex::boxAround(std::uint32_t first, std::uint32_t last) const
-{
-    Node node;
-    std::fill(node.low, node.low + 3, std::numeric_limits<float>::max());
-    std::fill(node.high, node.high + 3, std::numeric_limits<float>::lowest());
-    for (std::uint32_t i = first; i < last; ++i)
-        for (std::uint32_t wedge : mMesh.faces[mFaces[i]].wedge)
-            for (int axis = 0; axis < 3; ++axis) {
-                const float coordinate = mMesh.vertices[mMesh.vertexOf(wedge)].position[axis];
-                node.low[axis] = std::min(node.low[axis], coordinate);
-                node.high[axis] = std::max(node.high[axis], coordinate);
-            }
-    node.first = first;
-    node.count = last - first;
-    return node;
+                     [axis](const Entry& a, const Entry& b) {
+                         return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis] : a.face < b.face;
+                     });
+    Node lower = part, upper = part;
+    lower.high[axis] = upper.low[axis] = mFaces[middle].centre[axis];
+    build(first, middle, lower);
+    const auto second = static_cast<std::uint32_t>(mNodes.size());
+    build(middle, last, upper);
+    Node& node = mNodes[number];
+    node.first = second;
+    for (const std::size_t child : {number + 1, std::size_t{second}})
+        extend(node, mNodes[child].low, mNodes[child].high);
 }
 
 void FaceIndex::visit(std::uint32_t number, Search& search) const
 {
     const Node& node = mNodes[number];
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-        consider(mFaces[i], search);
+        consider(mFaces[i].face, search);
     if (node.count != 0)
         return;
     std::uint32_t child[2] = {number + 1, node.first};

@@ -20,6 +20,11 @@ public:
     std::uint32_t nearest(const Vec3& point, const std::vector<std::uint32_t>& except);
 
 private:
+    struct Entry {
+        float centre[3];
+        std::uint32_t face;
+    };
+
     struct Node {
         float low[3], high[3];
         std::uint32_t first,
@@ -34,14 +39,15 @@ private:
     };
 
     void refresh();
-    void build(std::uint32_t first, std::uint32_t last);
-    Node boxAround(std::uint32_t first, std::uint32_t last) const;
+    void build(std::uint32_t first, std::uint32_t last, Node part);
+    static Node emptyBox();
+    static void extend(Node& node, const float* low, const float* high);
     void visit(std::uint32_t node, Search& search) const;
     void consider(std::uint32_t face, Search& search) const;
     static double squaredDistance(const Node& node, const Vec3& point);
 
     const CollapseMesh& mMesh;
-    std::vector<std::uint32_t> mFaces;
+    std::vector<Entry> mFaces;
     std::vector<Node> mNodes; ///< the first child follows its parent
 };
 

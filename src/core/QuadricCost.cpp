@@ -99,6 +99,7 @@ void QuadricCost::measurePlanes()
         (count + kLanes - 1) / kLanes * kLanes; // what lies beyond the last neighbour does no harm
     for (std::uint32_t i = 0; i < lanes; ++i) {
         mSquared[i] = mX[i] * mX[i] + mY[i] * mY[i] + mZ[i] * mZ[i];
+        mInverse[i] = 1.0f / mSquared[i];
         mBound[i] = shortEdge * mSquared[i];
     }
     for (std::uint32_t p = 0; p < mPlaneCount; ++p) {
@@ -172,19 +173,33 @@ float QuadricCost::areaOf(std::uint32_t wedge) const
     return area;
 }
 
-/// The face whose corner at the vertex spans the direction opposite to the edge, or comes nearest to that.
+/// The face whose corner at the vertex spans the direction opposite to the edge, or comes nearest to that: one of the two at
+/// the neighbour that lies most nearly opposite, where no seam hides one of them.
 QuadricCost::Continuation QuadricCost::continuationBehind(const float* along, std::uint32_t wedge) const
 {
     Continuation behind;
-    for (std::uint32_t i = 0; i < mRing->faceCount && behind.least() < 0.0f; ++i) {
+    const auto consider = [&](std::uint32_t i) {
         const OneRing::RingFace& face = mRing->faces[i];
-        const bool isAhead = along[face.second] >= 0.0f && along[face.third] >= 0.0f;
-        if (face.wedge[0] != wedge || (isAhead && behind.least() > -kNever))
-            continue;
         const Continuation here = continuation(i, -along[face.second], -along[face.third]);
         if (here.least() > behind.least())
             behind = here;
+    };
+    if (mRing->isFan && !mRing->isSeam) {
+        std::uint32_t opposite = 0;
+        float least = kNever;
+        for (std::uint32_t i = 0; i < mRing->neighbourCount; ++i) {
+            const float cosine = along[i] * std::abs(along[i]) * mInverse[i]; // its square and sign, to a common factor
+            opposite = cosine < least ? i : opposite;
+            least = std::min(cosine, least);
+        }
+        consider(mRing->neighbours[opposite].firstFace);
+        if (behind.least() < 0.0f)
+            consider(mRing->neighbours[opposite].lastFace);
+        return behind;
     }
+    for (std::uint32_t i = 0; i < mRing->faceCount && behind.least() < 0.0f; ++i)
+        if (mRing->faces[i].wedge[0] == wedge)
+            consider(i);
     return behind;
 }
 

@@ -59,6 +59,7 @@ private:
     float mX[OneRing::kMaxNeighbours] = {}, mY[OneRing::kMaxNeighbours] = {},
           mZ[OneRing::kMaxNeighbours] = {};  ///< edges to the neighbours
     float mSquared[OneRing::kMaxNeighbours]; ///< lengths of the edges
+    float mInverse[OneRing::kMaxNeighbours]; ///< ... and one over them
     bool mExact[OneRing::kMaxNeighbours];    ///< whether mBound has the attributes in it
     float mBound[OneRing::kMaxNeighbours];   ///< of each neighbour's cost, from below; kNever when rejected
     WedgeMap mWedges;
