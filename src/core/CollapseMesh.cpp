@@ -35,7 +35,7 @@ void CollapseMesh::updatePlane(Face& face) const
 
 void CollapseMesh::buildPlanes()
 {
-    const auto steps = [](float n) { return static_cast<std::int8_t>(std::lround(n * kNormalSteps)); };
+    const auto steps = [](float n) { return static_cast<std::int8_t>(n * kNormalSteps + std::copysign(0.5f, n)); };
     mFirstNormals.reserve(faces.size());
     for (Face& face : faces) {
         updatePlane(face);

@@ -146,9 +146,9 @@ public:
     std::size_t attributeStride = 0; ///< floats a wedge, even; 0 when no attribute counts
     std::vector<float> attributes;   ///< scaled and weighted, so that their squares add to squared distances
 
-    /// What a face's area counts as in costs: with a share of the mean face's, so that tips and thin parts, whose faces
-    /// are small, are not given away for nothing.
-    float weightOf(const Face& face) const { return face.area + kMeanShare * static_cast<float>(area / liveFaces); }
+    /// What is added to a face's area in costs: a share of the mean face's, so that tips and thin parts, whose faces are
+    /// small, are not given away for nothing.
+    float areaBonus() const { return kMeanShare * static_cast<float>(area / liveFaces); }
 
     double area = 0.0; ///< of all faces of the input, scaled
     std::uint32_t liveVertices = 0;

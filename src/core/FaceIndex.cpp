@@ -26,17 +26,17 @@ void FaceIndex::extend(Node& node, const float* low, const float* high)
     }
 }
 
-std::uint32_t FaceIndex::nearest(const Vec3& point, const std::vector<std::uint32_t>& except)
+std::uint32_t FaceIndex::nearest(const Vec3& point, double enough, const std::vector<std::uint32_t>& except)
 {
     refresh();
-    Search search{point, except};
+    Search search{point, enough * enough, except};
     visit(0, search);
     return search.face;
 }
 
 void FaceIndex::refresh()
 {
-    if (!mFaces.empty() && mMesh.liveFaces > mFaces.size() / 4)
+    if (!mFaces.empty() && mMesh.liveFaces > mFaces.size() / 2)
         return;
     mFaces.clear();
     mFaces.reserve(mMesh.liveFaces);
@@ -108,7 +108,8 @@ void FaceIndex::visit(std::uint32_t number, Search& search) const
         std::swap(least[0], least[1]);
     }
     for (const int i : {0, 1})
-        if (least[i] <= search.squaredDistance) // equally near ones count
+        if (least[i] <= search.squaredDistance
+            && search.squaredDistance > search.squaredEnough) // equally near ones count
             visit(child[i], search);
 }
 

@@ -9,15 +9,16 @@ namespace lodsmith {
 
 /// Finds the face nearest to a point: a hierarchy of boxes around the faces, halved along their longest side.
 ///
-/// It is made by the first search (most meshes are one piece and never need it) and again when three quarters of the faces are gone.
+/// It is made by the first search (most meshes are one piece and never need it) and again when half of the faces are gone.
 /// In between faces grow out of their boxes. Distances are always those of the faces as they are, but one that was
 /// somewhere else when the boxes were made may be missed.
 class FaceIndex {
 public:
     explicit FaceIndex(const CollapseMesh& mesh) : mMesh(mesh) {}
 
-    /// The nearest face that is none of `except`, the lowest number of equally near ones; kNone when there is no other.
-    std::uint32_t nearest(const Vec3& point, const std::vector<std::uint32_t>& except);
+    /// The nearest face that is none of `except`, or any other that is as near as `enough`; the lowest number of equally
+    /// near ones. kNone when there is no other.
+    std::uint32_t nearest(const Vec3& point, double enough, const std::vector<std::uint32_t>& except);
 
 private:
     struct Entry {
@@ -33,6 +34,7 @@ private:
 
     struct Search {
         Vec3 point;
+        double squaredEnough;
         const std::vector<std::uint32_t>& except;
         double squaredDistance = std::numeric_limits<double>::infinity();
         std::uint32_t face = kNone;

@@ -5,16 +5,25 @@
 
 namespace lodsmith {
 
+namespace {
+
+constexpr double kNearEnough = 0.25; // of the piece's radius: a nearer face would hardly cost less
+
+} // namespace
+
 bool PieceRemoval::find(std::uint32_t vertex)
 {
     if (!collect(vertex) || mFaces.size() == mMesh.liveFaces)
         return false;
     if (mVertices.size() == 3 && vertex != *std::min_element(mVertices.begin(), mVertices.end()))
         return false; // the three know of each other, and one is enough
-    Vec3 sum;
+    Vec3 centre;
     for (std::uint32_t v : mVertices)
-        sum += mMesh.position(v);
-    mHeir = mIndex.nearest(sum * (1.0 / static_cast<double>(mVertices.size())), mFaces);
+        centre += mMesh.position(v) * (1.0 / static_cast<double>(mVertices.size()));
+    double squaredRadius = 0.0;
+    for (std::uint32_t v : mVertices)
+        squaredRadius = std::max(squaredRadius, lengthSquared(mMesh.position(v) - centre));
+    mHeir = mIndex.nearest(centre, kNearEnough * std::sqrt(squaredRadius), mFaces);
     measure();
     return true;
 }
@@ -30,7 +39,7 @@ void PieceRemoval::measure()
     }
     mArea = 0.0;
     for (std::uint32_t face : mFaces) {
-        mArea += mMesh.weightOf(mMesh.faces[face]);
+        mArea += mMesh.faces[face].area + mMesh.areaBonus();
         before = std::max<double>(before, mMesh.faces[face].deviation);
     }
     mDistance = std::sqrt(sum / static_cast<double>(mVertices.size()));

@@ -40,11 +40,12 @@ float QuadricCost::guess(const CollapseMesh& mesh, std::uint32_t vertex) const
 {
     const std::uint32_t* list = mesh.faceList(vertex);
     const std::uint32_t count = std::min(mesh.vertices[vertex].liveFaces, kGuessFaces);
+    const float bonus = mesh.areaBonus();
     float xx = 0.0f, xy = 0.0f, xz = 0.0f, yy = 0.0f, yz = 0.0f, zz = 0.0f, shortEdge = 0.0f;
     for (std::uint32_t i = 0; i < count; ++i) {
         const CollapseMesh::Face& face = mesh.faces[list[i]];
         const float x = face.normal[0], y = face.normal[1], z = face.normal[2];
-        const float weight = mesh.weightOf(face), wx = weight * x, wy = weight * y, wz = weight * z;
+        const float weight = face.area + bonus, wx = weight * x, wy = weight * y, wz = weight * z;
         xx += wx * x;
         xy += wx * y;
         xz += wx * z;
@@ -72,9 +73,10 @@ void QuadricCost::begin(const CollapseMesh& mesh, const OneRing& ring)
     mRing = &ring;
     mArea = 0.0f;
     mPlaneCount = 0;
+    const float bonus = mesh.areaBonus();
     for (std::uint32_t i = 0; i < ring.faceCount; ++i) {
         const CollapseMesh::Face& face = mesh.faces[ring.faces[i].face];
-        mPlanes[mPlaneCount++] = {face.normal[0], face.normal[1], face.normal[2], mesh.weightOf(face)};
+        mPlanes[mPlaneCount++] = {face.normal[0], face.normal[1], face.normal[2], face.area + bonus};
         mArea += face.area;
     }
     if (!ring.isPlain || mesh.firstFaceOfSubMesh.size() > 2)
@@ -128,9 +130,9 @@ Candidate QuadricCost::cheapest()
 
 double QuadricCost::lengthOf(float cost, const CollapseMesh& mesh, const OneRing& ring) const
 {
-    double area = 0.0;
+    double area = ring.faceCount * static_cast<double>(mesh.areaBonus());
     for (std::uint32_t i = 0; i < ring.faceCount; ++i)
-        area += mesh.weightOf(mesh.faces[ring.faces[i].face]);
+        area += mesh.faces[ring.faces[i].face].area;
     return area > 0.0 ? std::sqrt(cost / area) : 0.0;
 }
 
@@ -193,8 +195,7 @@ QuadricCost::Continuation QuadricCost::continuationBehind(const float* along, st
             least = std::min(cosine, least);
         }
         consider(mRing->neighbours[opposite].firstFace);
-        if (behind.least() < 0.0f)
-            consider(mRing->neighbours[opposite].lastFace);
+        consider(mRing->neighbours[opposite].lastFace);
         return behind;
     }
     for (std::uint32_t i = 0; i < mRing->faceCount && behind.least() < 0.0f; ++i)

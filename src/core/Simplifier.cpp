@@ -106,7 +106,7 @@ void Simplifier::advance(const CollapseLimits& limits)
         return;
     }
     const bool stale = mState[v] & kStale;
-    if (!stale && mTarget[v] == v) {
+    if ((!stale && mTarget[v] == v) || isLoneTriangle()) {
         removePiece(limits);
         return;
     }
@@ -133,6 +133,13 @@ void Simplifier::advance(const CollapseLimits& limits)
         enqueue(candidate);
         mState[v] |= kHeldBack;
     }
+}
+
+/// A shortcut: of the commonest pieces that no collapse can make smaller, this need not be found out.
+bool Simplifier::isLoneTriangle() const
+{
+    return mRing.faceCount == 1 && mMesh.vertices[mRing.neighbours[0].vertex].liveFaces == 1
+           && mMesh.vertices[mRing.neighbours[1].vertex].liveFaces == 1;
 }
 
 /// What no collapse can make smaller may vanish as a whole. Such an entry of the queue has its own vertex for a target.

@@ -80,6 +80,7 @@ private:
     {
         enqueue(mRing.vertex, mRing.neighbours[candidate.neighbour].vertex, candidate.cost);
     }
+    bool isLoneTriangle() const;
     void removePiece(const CollapseLimits& limits);
     Candidate evaluated();
     bool allowed(const CollapseLimits& limits, const Candidate& candidate);
