@@ -10,7 +10,7 @@ enum class StopReason {
     TargetReached, ///< the level's target is met, or all that its bound on deviation or cost allows is done
     Locked,        ///< what is left is locked (importance 1, border or seam locks)
     Seam,          ///< what is left would need a wedge that a submesh does not have at the destination
-    Topology,      ///< what is left would open a hole, pinch the surface, double a face or flip one
+    Topology, ///< what is left would open a hole, pinch the surface, double a face or flip one, or is the last piece
 };
 
 /// One level of detail.

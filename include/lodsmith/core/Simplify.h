@@ -25,7 +25,7 @@ struct LevelTarget {
 
 /// What a collapse costs.
 enum class Metric {
-    /// Squared distance to the planes around the removed vertex, area-weighted and without memory of earlier levels
+    /// Squared distance to the planes around the removed vertex, weighted by area and without memory of earlier levels
     /// (Garland and Heckbert 1997; Lindstrom and Turk 1998), with wedge attributes in the same sum (Hoppe 1999).
     /// As a length: sqrt(cost / area).
     Quadric,
@@ -53,8 +53,10 @@ struct SimplifyOptions {
 ///
 /// The vertex buffers stay as they are: a level is a set of index lists into them. All wedges of a position move
 /// together, so the levels have no cracks; no level has a degenerate or doubled triangle, a hole or a non-manifold edge
-/// that the input did not have, and no collapse turns a triangle by more than 78 degrees. A target that cannot be reached is no error: the level holds what
-/// could be done and says why it stopped.
+/// that the input did not have, and no triangle turns by more than 78 degrees, in one collapse or from what it was in the
+/// input. Small pieces that hang together with nothing else vanish whole, all but the last; a target of a count may be
+/// passed by the last of them. A target that cannot be reached is no error: the level holds what could be done and says
+/// why it stopped.
 ///
 /// Errors: InvalidSetting (a target or weight out of range or not a number), InvalidGeometry (a referenced position or
 /// attribute is not finite, a position is beyond +-1e18, an importance outside 0..1), IndexOutOfRange, Cancelled,
