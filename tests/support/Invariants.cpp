@@ -324,8 +324,10 @@ double largestStep(const Input& input, const LodChainLevel& level)
 {
     constexpr double smallPiece = 33; // positions of 16 triangles that hang together
     const double collapse = input.atRest.clean ? 2.0 : 2.0 * input.atRest.greatestDegree + 1.0;
+    if (level.skipped)
+        return collapse;
     const Connectivity connectivity(weldedTriangles(input.mesh, input.welded, level.indices));
-    const bool pieceIsGone = !level.skipped && connectivity.pieces < input.atRest.connectivity.pieces;
+    const bool pieceIsGone = connectivity.pieces < input.atRest.connectivity.pieces;
     return pieceIsGone ? std::max(collapse, smallPiece) : collapse;
 }
 
@@ -411,6 +413,8 @@ std::vector<std::string> brokenInvariants(const MeshView& mesh, const std::vecto
         const LodChainLevel& level = chain.levels[i];
         LevelCheck levelCheck(input, i, broken);
         checkMonotone(levelCheck, level, before);
+        if (!level.skipped && !levelCheck.indices(level))
+            continue;
         if (isCount(targets[i].kind))
             checkCountTarget(levelCheck, targets[i], chain, level, before, largestStep(input, level));
         else
@@ -421,8 +425,6 @@ std::vector<std::string> brokenInvariants(const MeshView& mesh, const std::vecto
                 levelCheck.require(list.empty(), "skipped, but it has indices");
             continue;
         }
-        if (!levelCheck.indices(level))
-            continue;
         checkSurface(levelCheck, input, level, locked, original, check.samples);
         before = {level.vertices, level.triangles, level.deviation, level.cost};
     }
