@@ -39,7 +39,7 @@ void PieceRemoval::measure()
     }
     mArea = 0.0;
     for (std::uint32_t face : mFaces) {
-        mArea += mMesh.faces[face].area + mMesh.areaBonus();
+        mArea += mMesh.faces[face].area;
         before = std::max<double>(before, mMesh.faces[face].deviation);
     }
     mDistance = std::sqrt(sum / static_cast<double>(mVertices.size()));

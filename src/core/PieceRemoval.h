@@ -14,7 +14,7 @@ namespace lodsmith {
 /// its vertices is (the distance to a triangle is a convex function), which bounds what is lost.
 class PieceRemoval {
 public:
-    static constexpr std::uint32_t kMaxFaces = 16; ///< of a piece that counts as small
+    static constexpr std::uint32_t kMaxFaces = 8; ///< of a piece that counts as small
 
     explicit PieceRemoval(CollapseMesh& mesh) : mMesh(mesh), mIndex(mesh) {}
 
@@ -23,7 +23,7 @@ public:
 
     /// What find() has found, until the mesh changes. Scaled units.
     const std::vector<std::uint32_t>& vertices() const { return mVertices; }
-    double area() const { return mArea; }           ///< as it counts in costs
+    double area() const { return mArea; }
     double distance() const { return mDistance; }   ///< of its vertices from what stays, root mean square
     double deviation() const { return mDeviation; } ///< bound on the distance of the original surface from what stays
 

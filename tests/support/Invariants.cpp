@@ -322,7 +322,7 @@ void checkMonotone(LevelCheck& check, const LodChainLevel& level, const Before& 
 /// How many vertices or triangles one step may take away at most.
 double largestStep(const Input& input, const LodChainLevel& level)
 {
-    constexpr double smallPiece = 33; // positions of 16 triangles that hang together
+    constexpr double smallPiece = 17; // positions of 8 triangles that hang together
     const double collapse = input.atRest.clean ? 2.0 : 2.0 * input.atRest.greatestDegree + 1.0;
     if (level.skipped)
         return collapse;
