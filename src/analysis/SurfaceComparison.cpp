@@ -31,7 +31,7 @@ public:
             (mResult.uv.*add)(*difference.uv);
     }
 
-    SurfaceComparison takeResult() { return std::move(mResult); }
+    const SurfaceComparison& result() const { return mResult; }
 
 private:
     AttributeDifference compareAttributes(const SurfaceSample& sample, double distance) const
@@ -100,7 +100,7 @@ Result<SurfaceComparison> compareSurfaces(const Surface& from, const SurfaceInde
     };
     if (!measureAll(area, &FigureSums::add) || !measureAll(vertices, &FigureSums::addExtreme))
         return ComparisonProgress::cancelled();
-    return comparison.takeResult();
+    return comparison.result();
 }
 
 } // namespace lodsmith::analysis

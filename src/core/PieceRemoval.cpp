@@ -58,8 +58,9 @@ bool PieceRemoval::collect(std::uint32_t vertex)
 {
     mFaces.clear();
     mVertices.assign(1, vertex);
-    for (std::size_t i = 0; i < mVertices.size(); ++i)
-        if (!addVertex(mVertices[i]))
+    std::size_t done = 0; // the list grows meanwhile
+    while (done < mVertices.size())
+        if (!addVertex(mVertices[done++]))
             return false;
     return true;
 }
