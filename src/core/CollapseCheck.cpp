@@ -59,7 +59,7 @@ bool CollapseCheck::turnsFaceOver(const OneRing& ring, std::uint32_t neighbour) 
             continue;
         const CollapseMesh::Face& face = mMesh.faces[ringFace.face];
         const Vec3 after = cross(ring.neighbours[ringFace.second].edge - e, ring.neighbours[ringFace.third].edge - e);
-        const Vec3 before{face.normal[0], face.normal[1], face.normal[2]};
+        const Vec3 before = CollapseMesh::normalOf(face);
         if (isTurnedOver(before, after) || isTurnedOver(mMesh.firstNormal(ringFace.face), after))
             return true;
     }

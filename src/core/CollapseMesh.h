@@ -56,6 +56,7 @@ public:
         return {position(vertexOf(face.wedge[0])), position(vertexOf(face.wedge[1])),
                 position(vertexOf(face.wedge[2]))};
     }
+    static Vec3 normalOf(const Face& face) { return {face.normal[0], face.normal[1], face.normal[2]}; }
     bool isAlive(std::uint32_t vertex) const { return vertices[vertex].liveFaces != 0; }
     bool isGone(const Face& face) const { return face.wedge[0] == kNone; }
     std::uint32_t subMeshOfWedge(std::uint32_t wedge) const { return wedgeSubMesh.empty() ? 0 : wedgeSubMesh[wedge]; }

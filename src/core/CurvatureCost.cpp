@@ -11,11 +11,6 @@ constexpr double kLeastBend = 0.001; // so that on a flat surface short edges go
 constexpr double kOffBorder = 1.0;   // leaving a border costs as much as a right angle and more
 constexpr double kOffSeam = 1.0;     // in 2012 the bounding radius, which made the result depend on the unit of length
 
-Vec3 normalOf(const CollapseMesh::Face& face)
-{
-    return {face.normal[0], face.normal[1], face.normal[2]};
-}
-
 } // namespace
 
 void CurvatureCost::begin(const CollapseMesh& mesh, const OneRing& ring)
@@ -63,8 +58,8 @@ double CurvatureCost::interiorBend(std::uint32_t neighbour) const
         double least = 1.0;
         for (std::uint32_t u = 0; u < mRing->faceCount; ++u)
             if (mRing->contains(mRing->faces[u], neighbour)) {
-                const double cosine =
-                    dot(normalOf(mMesh->faces[mRing->faces[t].face]), normalOf(mMesh->faces[mRing->faces[u].face]));
+                const double cosine = dot(CollapseMesh::normalOf(mMesh->faces[mRing->faces[t].face]),
+                                          CollapseMesh::normalOf(mMesh->faces[mRing->faces[u].face]));
                 least = std::min(least, 0.5 * (1.002 - cosine));
             }
         most = std::max(most, least);

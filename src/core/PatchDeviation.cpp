@@ -60,8 +60,7 @@ bool PatchDeviation::evaluateFans(std::uint32_t neighbour)
     Fan fan;
     if (mRing->isFan && walkFan(fan, neighbour))
         return evaluateFan(fan);
-    const float* n = mMesh->faces[mRing->faces[0].face].normal;
-    const Vec3 side{n[0], n[1], n[2]};
+    const Vec3 side = CollapseMesh::normalOf(mMesh->faces[mRing->faces[0].face]);
     std::uint32_t taken = 0;
     if (collectFan(side, 0.0, fan, taken) && taken == mRing->faceCount)
         return startAt(fan, neighbour) && evaluateFan(fan);
@@ -95,8 +94,7 @@ bool PatchDeviation::collectFan(const Vec3& side, double sign, Fan& fan, std::ui
     std::uint32_t faces = 0, start = 0;
     for (std::uint32_t i = 0; i < mRing->faceCount; ++i) {
         const OneRing::RingFace& face = mRing->faces[i];
-        const float* n = mMesh->faces[face.face].normal;
-        if (sign != 0.0 && (dot({n[0], n[1], n[2]}, side) >= 0.0) != (sign > 0.0))
+        if (sign != 0.0 && (dot(CollapseMesh::normalOf(mMesh->faces[face.face]), side) >= 0.0) != (sign > 0.0))
             continue;
         if (faceFrom[face.second] != none || hasBefore[face.third])
             return false;

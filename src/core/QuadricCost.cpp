@@ -22,11 +22,6 @@ constexpr double kAttributeShare = 1.5;  // what attributes usually make of the 
 constexpr float kLeastFloat = std::numeric_limits<float>::min();
 constexpr float kThinnest = 0.1f; // slivers below this height to length do not steepen their gradients further
 
-Vec3 normalOf(const CollapseMesh::Face& face)
-{
-    return {face.normal[0], face.normal[1], face.normal[2]};
-}
-
 } // namespace
 
 double QuadricCost::importanceFactor(const CollapseMesh& mesh, std::uint32_t vertex)
@@ -224,14 +219,14 @@ void QuadricCost::addConstraints()
     for (std::uint32_t i = 0; i < mRing->neighbourCount; ++i) {
         const OneRing::RingFace &first = mRing->faces[mRing->neighbours[i].firstFace],
                                 &last = mRing->faces[mRing->neighbours[i].lastFace];
-        const Vec3 normal = normalOf(mMesh->faces[first.face]);
+        const Vec3 normal = CollapseMesh::normalOf(mMesh->faces[first.face]);
         const Vec3& edge = mRing->neighbours[i].edge;
         if (&first == &last)
             addPlane(cross(normal, edge), kBorderWeight);
         else if (manySubMeshes && mMesh->subMeshOfWedge(first.wedge[0]) != mMesh->subMeshOfWedge(last.wedge[0]))
-            addPlane(cross(normal + normalOf(mMesh->faces[last.face]), edge), kMaterialWeight);
+            addPlane(cross(normal + CollapseMesh::normalOf(mMesh->faces[last.face]), edge), kMaterialWeight);
         else if (first.wedge[0] != last.wedge[0] || mRing->wedgeOf(first, i) != mRing->wedgeOf(last, i))
-            addPlane(cross(normal + normalOf(mMesh->faces[last.face]), edge), seamWeight(first, last, i));
+            addPlane(cross(normal + CollapseMesh::normalOf(mMesh->faces[last.face]), edge), seamWeight(first, last, i));
     }
 }
 

@@ -27,7 +27,7 @@ struct LevelTarget {
 enum class Metric {
     /// Squared distance to the planes around the removed vertex, weighted by area and without memory of earlier levels
     /// (Garland and Heckbert 1997; Lindstrom and Turk 1998), with wedge attributes in the same sum (Hoppe 1999).
-    /// As a length: sqrt(cost / area).
+    /// As a length: sqrt(cost / weight), the weight being the areas and a share of the mean triangle's.
     Quadric,
     /// The metric of 2012: edge length times how much the surface bends along it. A length in itself; see docs/simplifier.md.
     Curvature,
