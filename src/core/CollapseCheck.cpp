@@ -8,6 +8,7 @@ namespace lodsmith {
 namespace {
 
 constexpr double kLeastCosine = 0.2;    // a face may turn by up to 78 degrees, in one collapse and in all
+constexpr std::uint32_t kOrdinaryFaces = 8;
 constexpr std::uint32_t kHubFaces = 64; // from here on it is cheaper to ask the neighbours than to walk the hub
 
 bool isApex(const OneRing& ring, std::uint32_t neighbour, std::uint32_t other)
@@ -36,7 +37,7 @@ bool isTurnedOver(const Vec3& before, const Vec3& after)
 
 } // namespace
 
-bool CollapseCheck::allows(const OneRing& ring, std::uint32_t neighbour) const
+bool CollapseCheck::allows(OneRing& ring, std::uint32_t neighbour) const
 {
     const std::uint32_t destination = ring.neighbours[neighbour].vertex;
     const std::uint32_t onEdge = ring.neighbours[neighbour].faces;
@@ -44,19 +45,20 @@ bool CollapseCheck::allows(const OneRing& ring, std::uint32_t neighbour) const
         return false; // nothing would be left of this piece
     if (onEdge != 1 && ring.isBorder())
         return false; // a border is left along itself only
+    ring.divide(neighbour);
     if (turnsFaceOver(ring, neighbour))
         return false;
     const bool hub = mMesh.vertices[destination].liveFaces > kHubFaces;
+    if (!hub && isOrdinary(ring, neighbour))
+        return true;
     return hub ? keepsLinkAtHub(ring, neighbour) : keepsLink(ring, neighbour);
 }
 
 bool CollapseCheck::turnsFaceOver(const OneRing& ring, std::uint32_t neighbour) const
 {
     const Vec3& e = ring.neighbours[neighbour].edge;
-    for (std::uint32_t i = 0; i < ring.faceCount; ++i) {
-        const OneRing::RingFace& ringFace = ring.faces[i];
-        if (ring.contains(ringFace, neighbour))
-            continue;
+    for (std::uint32_t i = 0; i < ring.survivorCount; ++i) {
+        const OneRing::RingFace& ringFace = ring.faces[ring.survivors[i]];
         const CollapseMesh::Face& face = mMesh.faces[ringFace.face];
         const Vec3 after = cross(ring.neighbours[ringFace.second].edge - e, ring.neighbours[ringFace.third].edge - e);
         const Vec3 before = CollapseMesh::normalOf(face);
@@ -64,6 +66,30 @@ bool CollapseCheck::turnsFaceOver(const OneRing& ring, std::uint32_t neighbour) 
             return true;
     }
     return false;
+}
+
+/// The common case, settled without a branch: one closed fan whose neighbours, but for those that a face on the edge shares,
+/// are strangers to the destination. When it is not that, keepsLink() looks closer.
+bool CollapseCheck::isOrdinary(const OneRing& ring, std::uint32_t neighbour) const
+{
+    const OneRing::Neighbour& end = ring.neighbours[neighbour];
+    if (!ring.isFan || ring.faceCount > kOrdinaryFaces)
+        return false;
+    const std::uint32_t a = ring.faces[end.firstFace].third, b = ring.faces[end.lastFace].second;
+    if (a == b || ring.faces[a].third == b || ring.faces[b].third == a)
+        return false;
+    std::uint32_t others[kOrdinaryFaces];
+    std::fill(others, others + kOrdinaryFaces, kNone);
+    for (std::uint32_t i = 0; i < ring.neighbourCount; ++i)
+        others[i] = (i == neighbour) | (i == a) | (i == b) ? kNone : ring.neighbours[i].vertex;
+    mMesh.compactFaceList(end.vertex);
+    const std::uint32_t* list = mMesh.faceList(end.vertex);
+    std::uint32_t shared = 0;
+    for (std::uint32_t i = 0; i < mMesh.vertices[end.vertex].liveFaces; ++i)
+        for (std::uint32_t wedge : mMesh.faces[list[i]].wedge)
+            for (std::uint32_t other : others)
+                shared |= other == mMesh.vertexOf(wedge) ? 1 : 0;
+    return shared == 0;
 }
 
 /// Walks the destination's faces: a common neighbour must be the apex of a face on the edge, and no face of the destination

@@ -13,10 +13,12 @@ class CollapseCheck {
 public:
     explicit CollapseCheck(CollapseMesh& mesh) : mMesh(mesh) {}
 
-    bool allows(const OneRing& ring, std::uint32_t neighbour) const;
+    /// Divides the ring at this neighbour on the way.
+    bool allows(OneRing& ring, std::uint32_t neighbour) const;
 
 private:
     bool turnsFaceOver(const OneRing& ring, std::uint32_t neighbour) const;
+    bool isOrdinary(const OneRing& ring, std::uint32_t neighbour) const;
     bool keepsLink(const OneRing& ring, std::uint32_t neighbour) const;
     bool keepsLinkAtHub(const OneRing& ring, std::uint32_t neighbour) const;
     bool keepsEdgesManifold(const OneRing& ring, std::uint32_t neighbour) const;

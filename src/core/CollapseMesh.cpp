@@ -12,11 +12,10 @@ constexpr std::uint32_t kPrefetched = 12; // faces a vertex, at most
 constexpr std::uint32_t kListSlack =
     2; // a collapse between vertices of ordinary valence adds two faces to the destination
 
-/// Down to a float, never below.
+/// To a float, never below (but for what is too small for a float to be exact about).
 float roundUp(double bound)
 {
-    const auto rounded = static_cast<float>(bound);
-    return rounded < bound ? std::nextafter(rounded, std::numeric_limits<float>::max()) : rounded;
+    return static_cast<float>(bound * (1.0 + std::numeric_limits<float>::epsilon()));
 }
 
 } // namespace

@@ -45,7 +45,7 @@ bool OneRing::readFaces(const CollapseMesh& mesh, Corners& corners)
             for (std::uint32_t& corner : at)
                 corner = mesh.vertexOf(corner);
         }
-        const int corner = at[2] == vertex ? 2 : at[1] == vertex ? 1 : 0;
+        const int corner = (at[1] == vertex ? 1 : 0) + (at[2] == vertex ? 2 : 0);
         const int next = kNext[corner], afterNext = kNext[next];
         RingFace& entry = faces[i];
         entry.face = list[i];

@@ -42,6 +42,10 @@ public:
     RingFace faces[kMaxFaces];
     Neighbour neighbours[kMaxNeighbours];
 
+    std::uint8_t survivors[kMaxFaces]; ///< ring faces, as of divide()
+    std::uint8_t onEdge[kMaxFaces];    ///< the faceCount - survivorCount others
+    std::uint32_t survivorCount = 0;
+
     /// Fills this ring; false, with an empty ring, when the vertex has no face or too many.
     bool build(CollapseMesh& mesh, std::uint32_t vertex);
 
@@ -55,7 +59,18 @@ public:
         return i < neighbourCount && neighbours[i].vertex == vertexNumber ? i : neighbourCount;
     }
 
-    bool contains(const RingFace& face, std::uint32_t i) const { return face.second == i || face.third == i; }
+    /// Tells the faces that outlast a collapse onto neighbour i from those on the edge. Without a branch, since no
+    /// processor could foresee it.
+    void divide(std::uint32_t i)
+    {
+        survivorCount = 0;
+        for (std::uint32_t k = 0; k < faceCount; ++k) {
+            survivors[survivorCount] = onEdge[k - survivorCount] = static_cast<std::uint8_t>(k);
+            survivorCount += contains(faces[k], i) ? 0 : 1;
+        }
+    }
+
+    bool contains(const RingFace& face, std::uint32_t i) const { return (face.second == i) | (face.third == i); }
     std::uint32_t apexOf(const RingFace& face, std::uint32_t i) const
     {
         return face.second == i ? face.third : face.second;

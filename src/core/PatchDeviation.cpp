@@ -1,4 +1,5 @@
 // Cohen, Manocha, Olano: Simplifying Polygonal Models Using Successive Mappings. Visualization 1997.
+// Duff, Burgess, Christensen, Hery, Kensler, Liani, Villemin: Building an Orthonormal Basis, Revisited. JCGT 6(1), 2017.
 
 #include "PatchDeviation.h"
 
@@ -15,7 +16,7 @@ constexpr double kEdgeOn = 1e-12; // squared cosine; of a face that lies steeper
 /// Whether a face with twice this area shows its back, or its edge, to where it is seen with twice that area.
 bool isHidden(double seen, double areaSquared)
 {
-    return seen < 0.0 || seen * seen < kEdgeOn * areaSquared;
+    return (seen < 0.0) | (seen * seen < kEdgeOn * areaSquared);
 }
 
 /// The point of the segment from a to b nearest to the origin.
@@ -47,11 +48,11 @@ void PatchDeviation::evaluate(const OneRing& ring, const CollapseMesh& mesh, std
     }
     mLost = std::min(mLost, simple);
     mLargest = mLost;
-    for (std::uint32_t i = 0; i < ring.faceCount; ++i)
-        if (!ring.contains(ring.faces[i], neighbour)) {
-            mAfter[i] = std::min(mAfter[i], simple);
-            mLargest = std::max(mLargest, mAfter[i]);
-        }
+    for (std::uint32_t i = 0; i < ring.survivorCount; ++i) {
+        double& after = mAfter[ring.survivors[i]];
+        after = std::min(after, simple);
+        mLargest = std::max(mLargest, after);
+    }
 }
 
 /// False when the faces around the vertex are neither one fan nor the two faces of a wall.
@@ -232,10 +233,8 @@ bool PatchDeviation::project(const Fan& fan, const Vec3& centre)
     if (!(size > 0.0))
         return false;
     const Vec3 n = normal * (1.0 / size);
-    const Vec3 helper = std::abs(n.x) < 0.6 ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0};
-    const Vec3 across = cross(n, helper);
-    const Vec3 u = across * (1.0 / length(across));
-    const Vec3 v = cross(n, u);
+    const double sign = std::copysign(1.0, n.z), a = -1.0 / (sign + n.z), b = n.x * n.y * a;
+    const Vec3 u{1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x}, v{b, sign + n.y * n.y * a, -n.y};
     for (std::uint32_t i = 0; i < count; ++i) {
         const Vec3 r = mRing->neighbours[fan.spokes[i]].edge - centre;
         mU[i] = dot(r, u);
@@ -249,7 +248,7 @@ bool PatchDeviation::project(const Fan& fan, const Vec3& centre)
         const std::uint32_t j = i + 1 == count ? 0 : i + 1;
         if (isHidden(mU[i] * mV[j] - mU[j] * mV[i], areaSquared[i]))
             return false;
-        rounds += side(i) < 0.0 && side(j) >= 0.0;
+        rounds += (side(i) < 0.0) & (side(j) >= 0.0);
         mOld[i] = mBefore[fan.faces[i]];
         mCovered[i] = mDifference[i] = 0.0;
     }

@@ -13,6 +13,7 @@ namespace lodsmith {
 /// collapsed edge is a bound.
 class PatchDeviation {
 public:
+    /// The ring is divided at this neighbour.
     void evaluate(const OneRing& ring, const CollapseMesh& mesh, std::uint32_t neighbour);
 
     /// Bound of the ring's i-th face after the collapse; meaningless for one that goes.

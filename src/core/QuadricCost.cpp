@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace lodsmith {
 
@@ -19,6 +20,7 @@ constexpr float kShortEdge = 1e-9f;  // share of area * length^2: among flat cho
 constexpr float kFarthest = 4.0f;    // a face's attributes are continued no farther than this many of its edges
 constexpr std::uint32_t kGuessFaces = 8; // more do not make a better guess
 constexpr double kAttributeShare = 1.5;  // what attributes usually make of the cost of the geometry
+constexpr float kDearest = 1e30f;        // but possible
 constexpr float kLeastFloat = std::numeric_limits<float>::min();
 constexpr float kThinnest = 0.1f; // slivers below this height to length do not steepen their gradients further
 
@@ -53,7 +55,7 @@ float QuadricCost::guess(const CollapseMesh& mesh, std::uint32_t vertex) const
     float least = kNever;
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::uint32_t* wedge = mesh.faces[list[i]].wedge;
-        const int corner = mesh.vertexOf(wedge[0]) == vertex ? 0 : mesh.vertexOf(wedge[1]) == vertex ? 1 : 2;
+        const int corner = (mesh.vertexOf(wedge[1]) == vertex ? 1 : 0) + (mesh.vertexOf(wedge[2]) == vertex ? 2 : 0);
         const float* next = mesh.vertices[mesh.vertexOf(wedge[kNext[corner]])].position;
         const float x = next[0] - origin[0], y = next[1] - origin[1], z = next[2] - origin[2];
         const float planes = x * (xx * x + 2.0f * (xy * y + xz * z)) + y * (yy * y + 2.0f * yz * z) + zz * z * z;
@@ -91,33 +93,53 @@ void QuadricCost::measurePlanes()
         mZ[i] = static_cast<float>(edge.z);
         mExact[i] = false;
     }
-    const float shortEdge = kShortEdge * mArea;
-    const std::uint32_t lanes =
-        (count + kLanes - 1) / kLanes * kLanes; // what lies beyond the last neighbour does no harm
-    for (std::uint32_t i = 0; i < lanes; ++i) {
-        mSquared[i] = mX[i] * mX[i] + mY[i] * mY[i] + mZ[i] * mZ[i];
-        mInverse[i] = 1.0f / mSquared[i];
-        mBound[i] = shortEdge * mSquared[i];
+    for (std::uint32_t first = 0; first < count; first += kLanes) // what lies beyond the last neighbour does no harm
+        measurePlanes(first);
+}
+
+void QuadricCost::measurePlanes(std::size_t first)
+{
+    const float *x = mX + first, *y = mY + first, *z = mZ + first;
+    float squared[kLanes], bound[kLanes];
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        squared[i] = x[i] * x[i] + y[i] * y[i] + z[i] * z[i];
+        bound[i] = kShortEdge * mArea * squared[i];
     }
     for (std::uint32_t p = 0; p < mPlaneCount; ++p) {
         const Plane plane = mPlanes[p];
-        for (std::uint32_t i = 0; i < lanes; ++i) {
-            const float distance = plane.x * mX[i] + plane.y * mY[i] + plane.z * mZ[i];
-            mBound[i] += plane.weight * (distance * distance);
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const float distance = plane.x * x[i] + plane.y * y[i] + plane.z * z[i];
+            bound[i] += plane.weight * (distance * distance);
         }
     }
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        mSquared[first + i] = squared[i];
+        mInverse[first + i] = 1.0f / squared[i];
+        mBound[first + i] = bound[i];
+    }
+}
+
+/// The neighbour of the least bound, the first of equal ones. In integers, which compilers compare without a branch.
+std::uint32_t QuadricCost::leastBound() const
+{
+    std::uint64_t least = ~std::uint64_t{0};
+    for (std::uint32_t i = 0; i < mRing->neighbourCount; ++i) {
+        std::uint32_t bits; // of a number that is not negative: they order like it
+        std::memcpy(&bits, &mBound[i], sizeof bits);
+        least = std::min(least, std::uint64_t{bits} << 32 | i);
+    }
+    return static_cast<std::uint32_t>(least);
 }
 
 /// Attributes are looked at only where the geometry alone could still win.
 Candidate QuadricCost::cheapest()
 {
     while (true) {
-        const float* best = std::min_element(mBound, mBound + mRing->neighbourCount);
-        if (*best == kNever)
+        const std::uint32_t neighbour = leastBound();
+        if (mBound[neighbour] == kNever)
             return {};
-        const auto neighbour = static_cast<std::uint32_t>(best - mBound);
         if (mExact[neighbour])
-            return {static_cast<int>(neighbour), finite(*best * mImportanceFactor)};
+            return {static_cast<int>(neighbour), finite(mBound[neighbour] * mImportanceFactor)};
         mExact[neighbour] = true;
         mBound[neighbour] += attributeCost(neighbour);
     }
@@ -144,7 +166,7 @@ float QuadricCost::attributeCost(std::uint32_t neighbour)
     float sum = 0.0f;
     for (std::uint32_t i = 0; i < mWedges.count(); ++i)
         sum += wedgeCost(along, mWedges.from(i), mWedges.to(i));
-    return sum;
+    return std::min(kDearest, sum); // a NaN, of absurd attributes, is dear too
 }
 
 /// The face of this wedge that lies behind, seen along the edge, is continued to the destination. `along` has each

@@ -41,6 +41,8 @@ private:
     };
 
     void measurePlanes();
+    void measurePlanes(std::size_t firstNeighbour);
+    std::uint32_t leastBound() const;
     void addConstraints();
     void addPlane(const Vec3& normal, float weight);
     float seamWeight(const OneRing::RingFace& a, const OneRing::RingFace& b, std::uint32_t neighbour) const;

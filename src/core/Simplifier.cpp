@@ -202,23 +202,20 @@ void Simplifier::collapse(const Candidate& candidate)
 
 void Simplifier::moveFaces(std::uint32_t neighbour)
 {
+    for (std::uint32_t i = 0; i < mRing.faceCount - mRing.survivorCount; ++i)
+        mMesh.removeFace(mRing.faces[mRing.onEdge[i]].face);
     std::uint32_t moved[OneRing::kMaxFaces];
-    std::uint32_t count = 0;
-    for (std::uint32_t i = 0; i < mRing.faceCount; ++i) {
-        const OneRing::RingFace& ringFace = mRing.faces[i];
-        if (mRing.contains(ringFace, neighbour)) {
-            mMesh.removeFace(ringFace.face);
-            continue;
-        }
+    for (std::uint32_t i = 0; i < mRing.survivorCount; ++i) {
+        const OneRing::RingFace& ringFace = mRing.faces[mRing.survivors[i]];
         CollapseMesh::Face& face = mMesh.faces[ringFace.face];
         face.wedge[ringFace.corner] = mWedges(ringFace.wedge[0]);
         face.deviation = 0.0f;
-        mMesh.raiseFaceDeviation(ringFace.face, mPatchDeviation.of(i));
+        mMesh.raiseFaceDeviation(ringFace.face, mPatchDeviation.of(mRing.survivors[i]));
         mMesh.updatePlane(face);
-        moved[count++] = ringFace.face;
+        moved[i] = ringFace.face;
     }
     const std::uint32_t destination = mRing.neighbours[neighbour].vertex;
-    mMesh.moveFaces(mRing.vertex, destination, moved, count);
+    mMesh.moveFaces(mRing.vertex, destination, moved, mRing.survivorCount);
     if (mPatchDeviation.lost() > 0.0)
         mMesh.raiseDeviation(destination, mPatchDeviation.lost());
 }
