@@ -45,8 +45,8 @@ bool CollapseCheck::allows(OneRing& ring, std::uint32_t neighbour) const
         return false; // nothing would be left of this piece
     if (onEdge != 1 && ring.isBorder())
         return false; // a border is left along itself only
-    ring.divide(neighbour);
-    if (turnsFaceOver(ring, neighbour))
+    ring.aimAt(neighbour);
+    if (turnsFaceOver(ring))
         return false;
     const bool hub = mMesh.vertices[destination].liveFaces > kHubFaces;
     if (!hub && isOrdinary(ring, neighbour))
@@ -54,15 +54,13 @@ bool CollapseCheck::allows(OneRing& ring, std::uint32_t neighbour) const
     return hub ? keepsLinkAtHub(ring, neighbour) : keepsLink(ring, neighbour);
 }
 
-bool CollapseCheck::turnsFaceOver(const OneRing& ring, std::uint32_t neighbour) const
+bool CollapseCheck::turnsFaceOver(const OneRing& ring) const
 {
-    const Vec3& e = ring.neighbours[neighbour].edge;
     for (std::uint32_t i = 0; i < ring.survivorCount; ++i) {
         const OneRing::RingFace& ringFace = ring.faces[ring.survivors[i]];
-        const CollapseMesh::Face& face = mMesh.faces[ringFace.face];
-        const Vec3 after = cross(ring.neighbours[ringFace.second].edge - e, ring.neighbours[ringFace.third].edge - e);
-        const Vec3 before = CollapseMesh::normalOf(face);
-        if (isTurnedOver(before, after) || isTurnedOver(mMesh.firstNormal(ringFace.face), after))
+        const Vec3& after = ring.areaAfter[ring.survivors[i]];
+        if (isTurnedOver(CollapseMesh::normalOf(mMesh.faces[ringFace.face]), after)
+            || isTurnedOver(mMesh.firstNormal(ringFace.face), after))
             return true;
     }
     return false;
@@ -84,12 +82,14 @@ bool CollapseCheck::isOrdinary(const OneRing& ring, std::uint32_t neighbour) con
         others[i] = (i == neighbour) | (i == a) | (i == b) ? kNone : ring.neighbours[i].vertex;
     mMesh.compactFaceList(end.vertex);
     const std::uint32_t* list = mMesh.faceList(end.vertex);
-    std::uint32_t shared = 0;
+    std::uint32_t isShared[kOrdinaryFaces] = {};
     for (std::uint32_t i = 0; i < mMesh.vertices[end.vertex].liveFaces; ++i)
-        for (std::uint32_t wedge : mMesh.faces[list[i]].wedge)
-            for (std::uint32_t other : others)
-                shared |= other == mMesh.vertexOf(wedge) ? 1 : 0;
-    return shared == 0;
+        for (std::uint32_t wedge : mMesh.faces[list[i]].wedge) {
+            const std::uint32_t corner = mMesh.vertexOf(wedge);
+            for (std::uint32_t k = 0; k < kOrdinaryFaces; ++k)
+                isShared[k] |= others[k] == corner ? 1 : 0;
+        }
+    return std::find(isShared, isShared + kOrdinaryFaces, 1u) == isShared + kOrdinaryFaces;
 }
 
 /// Walks the destination's faces: a common neighbour must be the apex of a face on the edge, and no face of the destination

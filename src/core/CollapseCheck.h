@@ -13,11 +13,11 @@ class CollapseCheck {
 public:
     explicit CollapseCheck(CollapseMesh& mesh) : mMesh(mesh) {}
 
-    /// Divides the ring at this neighbour on the way.
+    /// Aims the ring at this neighbour on the way.
     bool allows(OneRing& ring, std::uint32_t neighbour) const;
 
 private:
-    bool turnsFaceOver(const OneRing& ring, std::uint32_t neighbour) const;
+    bool turnsFaceOver(const OneRing& ring) const;
     bool isOrdinary(const OneRing& ring, std::uint32_t neighbour) const;
     bool keepsLink(const OneRing& ring, std::uint32_t neighbour) const;
     bool keepsLinkAtHub(const OneRing& ring, std::uint32_t neighbour) const;

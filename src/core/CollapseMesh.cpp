@@ -20,15 +20,13 @@ float roundUp(double bound)
 
 } // namespace
 
-void CollapseMesh::updatePlane(Face& face) const
+void CollapseMesh::setPlane(Face& face, const Vec3& doubledArea)
 {
-    const Vec3 origin = position(vertexOf(face.wedge[0]));
-    const Vec3 doubled = cross(position(vertexOf(face.wedge[1])) - origin, position(vertexOf(face.wedge[2])) - origin);
-    const double size = length(doubled);
+    const double size = length(doubledArea);
     const double inverse = size > 0.0 ? 1.0 / size : 0.0;
-    face.normal[0] = static_cast<float>(doubled.x * inverse);
-    face.normal[1] = static_cast<float>(doubled.y * inverse);
-    face.normal[2] = static_cast<float>(doubled.z * inverse);
+    face.normal[0] = static_cast<float>(doubledArea.x * inverse);
+    face.normal[1] = static_cast<float>(doubledArea.y * inverse);
+    face.normal[2] = static_cast<float>(doubledArea.z * inverse);
     face.area = static_cast<float>(0.5 * size);
 }
 
@@ -37,7 +35,8 @@ void CollapseMesh::buildPlanes()
     const auto steps = [](float n) { return static_cast<std::int8_t>(n * kNormalSteps + std::copysign(0.5f, n)); };
     mFirstNormals.reserve(faces.size());
     for (Face& face : faces) {
-        updatePlane(face);
+        const auto [a, b, c] = cornersOf(face);
+        setPlane(face, cross(b - a, c - a));
         area += face.area;
         mFirstNormals.push_back({steps(face.normal[0]), steps(face.normal[1]), steps(face.normal[2])});
     }

@@ -107,8 +107,8 @@ public:
     /// Drops entries of faces that are gone from a vertex's list.
     void compactFaceList(std::uint32_t vertex);
 
-    /// Normal and area of a face from its corners' positions.
-    void updatePlane(Face& face) const;
+    /// @param doubledArea normal, of twice the area's length
+    static void setPlane(Face& face, const Vec3& doubledArea);
 
     /// Computes the planes of all faces, and keeps what the collapses have to be compared with.
     void buildPlanes();

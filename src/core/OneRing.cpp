@@ -118,6 +118,20 @@ std::uint16_t OneRing::note(CollapseMesh& mesh, std::uint32_t vertexNumber, std:
     return record.ringIndex;
 }
 
+void OneRing::aimAt(std::uint32_t i)
+{
+    survivorCount = 0;
+    for (std::uint32_t k = 0; k < faceCount; ++k) { // without a branch, which no processor could foresee
+        survivors[survivorCount] = onEdge[k - survivorCount] = static_cast<std::uint8_t>(k);
+        survivorCount += contains(faces[k], i) ? 0 : 1;
+    }
+    const Vec3& shift = neighbours[i].edge;
+    for (std::uint32_t k = 0; k < survivorCount; ++k) {
+        const RingFace& face = faces[survivors[k]];
+        areaAfter[survivors[k]] = cross(neighbours[face.second].edge - shift, neighbours[face.third].edge - shift);
+    }
+}
+
 bool OneRing::isBorder() const
 {
     if (isFan)

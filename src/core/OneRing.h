@@ -42,9 +42,11 @@ public:
     RingFace faces[kMaxFaces];
     Neighbour neighbours[kMaxNeighbours];
 
-    std::uint8_t survivors[kMaxFaces]; ///< ring faces, as of divide()
-    std::uint8_t onEdge[kMaxFaces];    ///< the faceCount - survivorCount others
+    // As of aimAt():
     std::uint32_t survivorCount = 0;
+    std::uint8_t survivors[kMaxFaces]; ///< ring faces that outlast the collapse
+    std::uint8_t onEdge[kMaxFaces];    ///< the faceCount - survivorCount others
+    Vec3 areaAfter[kMaxFaces];         ///< of ring faces, survivors only: normal, of twice the area's length
 
     /// Fills this ring; false, with an empty ring, when the vertex has no face or too many.
     bool build(CollapseMesh& mesh, std::uint32_t vertex);
@@ -59,16 +61,8 @@ public:
         return i < neighbourCount && neighbours[i].vertex == vertexNumber ? i : neighbourCount;
     }
 
-    /// Tells the faces that outlast a collapse onto neighbour i from those on the edge. Without a branch, since no
-    /// processor could foresee it.
-    void divide(std::uint32_t i)
-    {
-        survivorCount = 0;
-        for (std::uint32_t k = 0; k < faceCount; ++k) {
-            survivors[survivorCount] = onEdge[k - survivorCount] = static_cast<std::uint8_t>(k);
-            survivorCount += contains(faces[k], i) ? 0 : 1;
-        }
-    }
+    /// Looks at the collapse onto neighbour i: which faces outlast it, and what they are then.
+    void aimAt(std::uint32_t i);
 
     bool contains(const RingFace& face, std::uint32_t i) const { return (face.second == i) | (face.third == i); }
     std::uint32_t apexOf(const RingFace& face, std::uint32_t i) const

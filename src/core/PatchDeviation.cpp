@@ -105,7 +105,7 @@ bool PatchDeviation::collectFan(const Vec3& side, double sign, Fan& fan, std::ui
         ++faces;
     }
     fan.count = 0;
-    fan.closed = false;
+    fan.closed = fan.reversed = false;
     if (faces == 0)
         return true;
     for (std::uint32_t i = 0; i < mRing->neighbourCount; ++i)
@@ -141,6 +141,7 @@ bool PatchDeviation::startAt(Fan& fan, std::uint32_t neighbour) const
     if (fan.spokes + at == end - 1) {
         std::reverse(fan.spokes, fan.spokes + fan.count);
         std::reverse(fan.faces, fan.faces + fan.count - 1);
+        fan.reversed = true;
         return true;
     }
     return at == 0;
@@ -185,6 +186,7 @@ bool PatchDeviation::evaluateCut(const Fan& fan, std::uint32_t cut)
     const Vec3 centre = nearestToOrigin(mRing->neighbours[fan.spokes[0]].edge, mRing->neighbours[fan.spokes[cut]].edge);
     const double shift = length(centre);
     Fan half;
+    half.reversed = fan.reversed;
     for (const bool second : {false, true}) {
         if (second && !fan.closed)
             break;
@@ -194,6 +196,7 @@ bool PatchDeviation::evaluateCut(const Fan& fan, std::uint32_t cut)
             std::copy(fan.spokes, fan.spokes + cut + 1, half.spokes);
             half.count = cut + 1;
         } else {
+            half.reversed = true;
             half.spokes[half.count++] = fan.spokes[0];
             for (std::uint32_t i = fan.count - 1; i >= cut; --i) {
                 half.faces[half.count - 1] = fan.faces[i];
@@ -220,45 +223,45 @@ bool PatchDeviation::evaluateCut(const Fan& fan, std::uint32_t cut)
 bool PatchDeviation::project(const Fan& fan, const Vec3& centre)
 {
     const std::uint32_t count = fan.count, faces = fan.closed ? count : count - 1;
-    Vec3 normal;
-    double areaSquared[OneRing::kMaxFaces];
-    for (std::uint32_t i = 0; i < faces; ++i) {
-        const std::uint32_t j = i + 1 == count ? 0 : i + 1;
-        const Vec3 area =
-            cross(mRing->neighbours[fan.spokes[i]].edge - centre, mRing->neighbours[fan.spokes[j]].edge - centre);
-        normal += area;
-        areaSquared[i] = lengthSquared(area);
-    }
-    const double size = length(normal);
-    if (!(size > 0.0))
+    if (!faceOn(fan, centre))
         return false;
-    const Vec3 n = normal * (1.0 / size);
-    const double sign = std::copysign(1.0, n.z), a = -1.0 / (sign + n.z), b = n.x * n.y * a;
-    const Vec3 u{1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x}, v{b, sign + n.y * n.y * a, -n.y};
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const Vec3 r = mRing->neighbours[fan.spokes[i]].edge - centre;
-        mU[i] = dot(r, u);
-        mV[i] = dot(r, v);
-        mZ[i] = dot(r, n);
-    }
     // A closed fan comes once to where it begins; an open one has to end before that.
     const auto side = [&](std::uint32_t i) { return fan.closed ? mV[i] : mU[0] * mV[i] - mU[i] * mV[0]; };
     int rounds = 0;
     for (std::uint32_t i = 0; i < faces; ++i) {
         const std::uint32_t j = i + 1 == count ? 0 : i + 1;
-        if (isHidden(mU[i] * mV[j] - mU[j] * mV[i], areaSquared[i]))
+        const Vec3 area = cross(Vec3{mU[i], mV[i], mZ[i]}, Vec3{mU[j], mV[j], mZ[j]});
+        if (isHidden(area.z, lengthSquared(area)))
             return false;
         rounds += (side(i) < 0.0) & (side(j) >= 0.0);
         mOld[i] = mBefore[fan.faces[i]];
         mCovered[i] = mDifference[i] = 0.0;
     }
-    for (std::uint32_t j = 1; j + 1 < count; ++j) {
-        const Vec3 area = cross(Vec3{mU[j] - mU[0], mV[j] - mV[0], mZ[j] - mZ[0]},
-                                Vec3{mU[j + 1] - mU[0], mV[j + 1] - mV[0], mZ[j + 1] - mZ[0]});
-        if (isHidden(area.z, lengthSquared(area)))
-            return false;
-    }
     return rounds <= (fan.closed ? 1 : 0);
+}
+
+/// Turns the plane to face the new faces, whose areas add to the same sum as the old ones'. False when one of them is hidden.
+bool PatchDeviation::faceOn(const Fan& fan, const Vec3& centre)
+{
+    Vec3 normal;
+    for (std::uint32_t j = 1; j + 1 < fan.count; ++j)
+        normal += mRing->areaAfter[fan.faces[j]];
+    const double size = length(normal);
+    if (!(size > 0.0))
+        return false;
+    const Vec3 n = normal * ((fan.reversed ? -1.0 : 1.0) / size);
+    for (std::uint32_t j = 1; j + 1 < fan.count; ++j)
+        if (const Vec3& area = mRing->areaAfter[fan.faces[j]]; isHidden(dot(area, normal) / size, lengthSquared(area)))
+            return false;
+    const double sign = std::copysign(1.0, n.z), a = -1.0 / (sign + n.z), b = n.x * n.y * a;
+    const Vec3 u{1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x}, v{b, sign + n.y * n.y * a, -n.y};
+    for (std::uint32_t i = 0; i < fan.count; ++i) {
+        const Vec3 r = mRing->neighbours[fan.spokes[i]].edge - centre;
+        mU[i] = dot(r, u);
+        mV[i] = dot(r, v);
+        mZ[i] = dot(r, n);
+    }
+    return true;
 }
 
 void PatchDeviation::cover(std::uint32_t newFace, double difference, double before)

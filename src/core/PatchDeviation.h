@@ -13,7 +13,7 @@ namespace lodsmith {
 /// collapsed edge is a bound.
 class PatchDeviation {
 public:
-    /// The ring is divided at this neighbour.
+    /// The ring is aimed at this neighbour.
     void evaluate(const OneRing& ring, const CollapseMesh& mesh, std::uint32_t neighbour);
 
     /// Bound of the ring's i-th face after the collapse; meaningless for one that goes.
@@ -30,6 +30,7 @@ private:
         std::uint32_t faces[OneRing::kMaxFaces];       ///< ring faces
         std::uint32_t count = 0;                       ///< spokes
         bool closed = false;
+        bool reversed = false; ///< against the winding order after all
     };
 
     bool evaluateFans(std::uint32_t neighbour);
@@ -41,6 +42,7 @@ private:
     bool evaluateCut(const Fan& fan, std::uint32_t cut);
     std::uint32_t nearestCut(const Fan& fan) const;
     bool project(const Fan& fan, const Vec3& centre);
+    bool faceOn(const Fan& fan, const Vec3& centre);
     bool compareAtCentre(const Fan& fan);
     void compareAtCrossings(const Fan& fan);
     void settle(const Fan& fan, double shift);

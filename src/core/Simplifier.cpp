@@ -211,7 +211,7 @@ void Simplifier::moveFaces(std::uint32_t neighbour)
         face.wedge[ringFace.corner] = mWedges(ringFace.wedge[0]);
         face.deviation = 0.0f;
         mMesh.raiseFaceDeviation(ringFace.face, mPatchDeviation.of(mRing.survivors[i]));
-        mMesh.updatePlane(face);
+        CollapseMesh::setPlane(face, mRing.areaAfter[mRing.survivors[i]]);
         moved[i] = ringFace.face;
     }
     const std::uint32_t destination = mRing.neighbours[neighbour].vertex;
