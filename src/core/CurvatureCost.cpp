@@ -69,7 +69,7 @@ double CurvatureCost::interiorBend(std::uint32_t neighbour) const
 
 double CurvatureCost::seamPenalty(std::uint32_t neighbour) const
 {
-    if (!mRing->isSeam)
+    if (!mRing->isSeam())
         return 0.0;
     const bool toSeam = mMesh->vertices[mRing->neighbours[neighbour].vertex].hasSeam;
     return toSeam ? 0.5 * kOffSeam : kOffSeam;

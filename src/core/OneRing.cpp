@@ -15,7 +15,7 @@ bool OneRing::build(CollapseMesh& mesh, std::uint32_t v)
     vertex = v;
     faceCount = neighbourCount = 0;
     mFilter = 0;
-    isSeam = isFan = isPlain = false;
+    isFan = isPlain = false;
     if (mesh.vertices[v].liveFaces == 0 || mesh.vertices[v].liveFaces > kMaxFaces)
         return false;
     mesh.compactFaceList(v);
@@ -50,16 +50,29 @@ bool OneRing::readFaces(const CollapseMesh& mesh, Corners& corners)
         RingFace& entry = faces[i];
         entry.face = list[i];
         entry.corner = static_cast<std::uint8_t>(corner);
+        entry.own = 0;
         entry.wedge[0] = face.wedge[corner];
         entry.wedge[1] = face.wedge[next];
         entry.wedge[2] = face.wedge[afterNext];
         corners.second[i] = at[next];
         corners.third[i] = at[afterNext];
     }
+    wedgeCount = 1;
+    wedges[0] = faces[0].wedge[0];
     if (seamNear)
-        for (std::uint32_t i = 1; i < faceCount; ++i)
-            isSeam |= faces[i].wedge[0] != faces[0].wedge[0];
+        numberWedges();
     return seamNear;
+}
+
+void OneRing::numberWedges()
+{
+    for (std::uint32_t i = 1; i < faceCount; ++i) {
+        const std::uint32_t wedge = faces[i].wedge[0];
+        const auto own = std::find(wedges, wedges + wedgeCount, wedge) - wedges;
+        faces[i].own = static_cast<std::uint8_t>(own);
+        if (own == wedgeCount)
+            wedges[wedgeCount++] = wedge;
+    }
 }
 
 /// On closed fans every neighbour is the second corner of one face and the third of another. False when this is something else.

@@ -19,6 +19,7 @@ public:
         std::uint16_t second, third; ///< neighbours at the next corner and the one after, in winding order
         std::uint32_t wedge[3];      ///< of this vertex, the second and the third corner
         std::uint8_t corner;         ///< this vertex's corner in the face
+        std::uint8_t own;            ///< which of this vertex's wedges it has
     };
 
     static constexpr std::uint32_t kMaxNeighbours = 2 * kMaxFaces;
@@ -35,10 +36,11 @@ public:
     Vec3 origin;
     std::uint32_t faceCount = 0;
     std::uint32_t neighbourCount = 0;
-    bool isSeam = false;  ///< more than one wedge of this vertex is in use
     bool isFan = false;   ///< closed fans only, and neighbour i is the second corner of face i; never mind seams
     bool isPlain = false; ///< a fan without a seam at or near this vertex
 
+    std::uint32_t wedgeCount = 0;
+    std::uint32_t wedges[kMaxFaces]; ///< those of this vertex that are in use, in the order of the faces
     RingFace faces[kMaxFaces];
     Neighbour neighbours[kMaxNeighbours];
 
@@ -74,6 +76,7 @@ public:
         return face.second == i ? face.wedge[1] : face.wedge[2];
     }
     bool isBorder() const;
+    bool isSeam() const { return wedgeCount > 1; }
 
 private:
     /// Vertices at the faces' second and third corners.
@@ -81,6 +84,7 @@ private:
         std::uint32_t second[kMaxFaces], third[kMaxFaces];
     };
 
+    void numberWedges();
     bool readFaces(const CollapseMesh& mesh, Corners& corners);
     bool linkFan(CollapseMesh& mesh, const Corners& corners);
     void linkAny(CollapseMesh& mesh, const Corners& corners);

@@ -70,11 +70,13 @@ void QuadricCost::begin(const CollapseMesh& mesh, const OneRing& ring)
     mRing = &ring;
     mArea = 0.0f;
     mPlaneCount = 0;
+    std::fill(mWedgeArea, mWedgeArea + ring.wedgeCount, 0.0f);
     const float bonus = mesh.areaBonus();
     for (std::uint32_t i = 0; i < ring.faceCount; ++i) {
         const CollapseMesh::Face& face = mesh.faces[ring.faces[i].face];
         mPlanes[mPlaneCount++] = {face.normal[0], face.normal[1], face.normal[2], face.area + bonus};
         mArea += face.area;
+        mWedgeArea[ring.faces[i].own] += face.area;
     }
     if (!ring.isPlain || mesh.firstFaceOfSubMesh.size() > 2)
         addConstraints();
@@ -163,73 +165,63 @@ float QuadricCost::attributeCost(std::uint32_t neighbour)
     float along[OneRing::kMaxNeighbours]; // components along the edge, times its length
     for (std::uint32_t i = 0; i < mRing->neighbourCount; ++i)
         along[i] = x * mX[i] + y * mY[i] + z * mZ[i];
-    float sum = 0.0f;
-    for (std::uint32_t i = 0; i < mWedges.count(); ++i)
-        sum += wedgeCost(along, mWedges.from(i), mWedges.to(i));
+    const float sum = mRing->isFan && !mRing->isSeam() ? fanCost(along) : wedgesCost(along);
     return std::min(kDearest, sum); // a NaN, of absurd attributes, is dear too
 }
 
-/// The face of this wedge that lies behind, seen along the edge, is continued to the destination. `along` has each
-/// neighbour's component along the edge, times its length.
-float QuadricCost::wedgeCost(const float* along, std::uint32_t wedge, std::uint32_t target) const
+/// Where no seam hides a face, the one behind is one of the two at the neighbour that lies most nearly opposite.
+float QuadricCost::fanCost(const float* along) const
 {
-    const Continuation behind = continuationBehind(along, wedge);
+    std::uint32_t opposite = 0;
+    float least = kNever;
+    for (std::uint32_t i = 0; i < mRing->neighbourCount; ++i) {
+        const float cosine = along[i] * std::abs(along[i]) * mInverse[i]; // its square and sign, to a common factor
+        opposite = cosine < least ? i : opposite;
+        least = std::min(cosine, least);
+    }
+    const Continuation first = continuation(mRing->neighbours[opposite].firstFace, along),
+                       last = continuation(mRing->neighbours[opposite].lastFace, along);
+    return wedgeCost(0, last.least() > first.least() ? last : first);
+}
+
+float QuadricCost::wedgesCost(const float* along)
+{
+    std::fill(mBehind, mBehind + mRing->wedgeCount, Continuation{});
+    for (std::uint32_t i = 0; i < mRing->faceCount; ++i) {
+        Continuation& best = mBehind[mRing->faces[i].own];
+        if (best.least() >= 0.0f)
+            continue;
+        const Continuation here = continuation(i, along);
+        if (here.least() > best.least())
+            best = here;
+    }
+    float sum = 0.0f;
+    for (std::uint32_t i = 0; i < mRing->wedgeCount; ++i)
+        sum += wedgeCost(i, mBehind[i]);
+    return sum;
+}
+
+/// The difference between the attributes that the ring's i-th wedge gets, and those of the face behind, continued.
+float QuadricCost::wedgeCost(std::uint32_t i, const Continuation& behind) const
+{
     const auto bounded = [](float t) { return std::clamp(t, -kFarthest, kFarthest); };
     const OneRing::RingFace& face = mRing->faces[behind.face];
-    return areaOf(wedge)
-           * mMesh->secondDifference(wedge, target, face.wedge[1], bounded(behind.second), face.wedge[2],
-                                     bounded(behind.third));
+    return mWedgeArea[i]
+           * mMesh->secondDifference(mRing->wedges[i], mWedges.to(i), face.wedge[1], bounded(behind.second),
+                                     face.wedge[2], bounded(behind.third));
 }
 
-float QuadricCost::areaOf(std::uint32_t wedge) const
-{
-    if (!mRing->isSeam)
-        return mArea;
-    float area = 0.0f;
-    for (std::uint32_t i = 0; i < mRing->faceCount; ++i)
-        if (mRing->faces[i].wedge[0] == wedge)
-            area += mMesh->faces[mRing->faces[i].face].area;
-    return area;
-}
-
-/// The face whose corner at the vertex spans the direction opposite to the edge, or comes nearest to that: one of the two at
-/// the neighbour that lies most nearly opposite, where no seam hides one of them.
-QuadricCost::Continuation QuadricCost::continuationBehind(const float* along, std::uint32_t wedge) const
-{
-    Continuation behind;
-    const auto consider = [&](std::uint32_t i) {
-        const OneRing::RingFace& face = mRing->faces[i];
-        const Continuation here = continuation(i, -along[face.second], -along[face.third]);
-        if (here.least() > behind.least())
-            behind = here;
-    };
-    if (mRing->isFan && !mRing->isSeam) {
-        std::uint32_t opposite = 0;
-        float least = kNever;
-        for (std::uint32_t i = 0; i < mRing->neighbourCount; ++i) {
-            const float cosine = along[i] * std::abs(along[i]) * mInverse[i]; // its square and sign, to a common factor
-            opposite = cosine < least ? i : opposite;
-            least = std::min(cosine, least);
-        }
-        consider(mRing->neighbours[opposite].firstFace);
-        consider(mRing->neighbours[opposite].lastFace);
-        return behind;
-    }
-    for (std::uint32_t i = 0; i < mRing->faceCount && behind.least() < 0.0f; ++i)
-        if (mRing->faces[i].wedge[0] == wedge)
-            consider(i);
-    return behind;
-}
-
-/// A direction of the given products with the face's two sides, in their terms.
-QuadricCost::Continuation QuadricCost::continuation(std::uint32_t face, float alongSecond, float alongThird) const
+/// The direction opposite to the edge in terms of a face's two sides. The face whose corner spans it, or comes nearest to
+/// that, is the one behind.
+/// @param along each neighbour's component along the edge, times its length
+QuadricCost::Continuation QuadricCost::continuation(std::uint32_t face, const float* along) const
 {
     const std::uint32_t i = mRing->faces[face].second, k = mRing->faces[face].third;
     const float ii = mSquared[i], kk = mSquared[k];
     const float ik = mX[i] * mX[k] + mY[i] * mY[k] + mZ[i] * mZ[k];
     const float doubled = 2.0f * mMesh->faces[mRing->faces[face].face].area;
     const float inverse = 1.0f / std::max(std::max(doubled, kThinnest * std::max(ii, kk)) * doubled, kLeastFloat);
-    return {face, (kk * alongSecond - ik * alongThird) * inverse, (ii * alongThird - ik * alongSecond) * inverse};
+    return {face, (ik * along[k] - kk * along[i]) * inverse, (ik * along[i] - ii * along[k]) * inverse};
 }
 
 /// Planes upright on the surface along borders, submesh borders and seams. The cross product carries the edge's length, so
@@ -241,19 +233,22 @@ void QuadricCost::addConstraints()
     for (std::uint32_t i = 0; i < mRing->neighbourCount; ++i) {
         const OneRing::RingFace &first = mRing->faces[mRing->neighbours[i].firstFace],
                                 &last = mRing->faces[mRing->neighbours[i].lastFace];
-        const Vec3 normal = CollapseMesh::normalOf(mMesh->faces[first.face]);
-        const Vec3& edge = mRing->neighbours[i].edge;
         if (&first == &last)
-            addPlane(cross(normal, edge), kBorderWeight);
+            addPlane(i, kBorderWeight);
         else if (manySubMeshes && mMesh->subMeshOfWedge(first.wedge[0]) != mMesh->subMeshOfWedge(last.wedge[0]))
-            addPlane(cross(normal + CollapseMesh::normalOf(mMesh->faces[last.face]), edge), kMaterialWeight);
-        else if (first.wedge[0] != last.wedge[0] || mRing->wedgeOf(first, i) != mRing->wedgeOf(last, i))
-            addPlane(cross(normal + CollapseMesh::normalOf(mMesh->faces[last.face]), edge), seamWeight(first, last, i));
+            addPlane(i, kMaterialWeight);
+        else if (first.own != last.own || mRing->wedgeOf(first, i) != mRing->wedgeOf(last, i))
+            addPlane(i, seamWeight(first, last, i));
     }
 }
 
-void QuadricCost::addPlane(const Vec3& normal, float weight)
+void QuadricCost::addPlane(std::uint32_t neighbour, float weight)
 {
+    const OneRing::Neighbour& end = mRing->neighbours[neighbour];
+    Vec3 upright = CollapseMesh::normalOf(mMesh->faces[mRing->faces[end.firstFace].face]);
+    if (end.firstFace != end.lastFace)
+        upright += CollapseMesh::normalOf(mMesh->faces[mRing->faces[end.lastFace].face]);
+    const Vec3 normal = cross(upright, end.edge);
     mPlanes[mPlaneCount++] = {static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z),
                               weight};
 }

@@ -44,17 +44,18 @@ private:
     void measurePlanes(std::size_t firstNeighbour);
     std::uint32_t leastBound() const;
     void addConstraints();
-    void addPlane(const Vec3& normal, float weight);
+    void addPlane(std::uint32_t neighbour, float weight);
     float seamWeight(const OneRing::RingFace& a, const OneRing::RingFace& b, std::uint32_t neighbour) const;
     float attributeCost(std::uint32_t neighbour);
-    float wedgeCost(const float* along, std::uint32_t wedge, std::uint32_t target) const;
-    float areaOf(std::uint32_t wedge) const;
-    Continuation continuationBehind(const float* along, std::uint32_t wedge) const;
-    Continuation continuation(std::uint32_t face, float alongSecond, float alongThird) const;
+    float fanCost(const float* along) const;
+    float wedgesCost(const float* along);
+    float wedgeCost(std::uint32_t wedge, const Continuation& behind) const;
+    Continuation continuation(std::uint32_t face, const float* along) const;
 
     const CollapseMesh* mMesh = nullptr;
     const OneRing* mRing = nullptr;
     float mArea = 0.0f;
+    float mWedgeArea[OneRing::kMaxFaces]; ///< of the faces of each wedge
     double mImportanceFactor = 1.0;
     std::uint32_t mPlaneCount = 0;
     Plane mPlanes[OneRing::kMaxFaces + OneRing::kMaxNeighbours]; ///< those of the faces, then the constraints
@@ -64,6 +65,7 @@ private:
     float mInverse[OneRing::kMaxNeighbours]; ///< ... and one over them
     bool mExact[OneRing::kMaxNeighbours];    ///< whether mBound has the attributes in it
     float mBound[OneRing::kMaxNeighbours];   ///< of each neighbour's cost, from below; kNever when rejected
+    Continuation mBehind[OneRing::kMaxFaces]; ///< of each wedge
     WedgeMap mWedges;
 };
 

@@ -208,7 +208,7 @@ void Simplifier::moveFaces(std::uint32_t neighbour)
     for (std::uint32_t i = 0; i < mRing.survivorCount; ++i) {
         const OneRing::RingFace& ringFace = mRing.faces[mRing.survivors[i]];
         CollapseMesh::Face& face = mMesh.faces[ringFace.face];
-        face.wedge[ringFace.corner] = mWedges(ringFace.wedge[0]);
+        face.wedge[ringFace.corner] = mWedges.to(ringFace.own);
         face.deviation = 0.0f;
         mMesh.raiseFaceDeviation(ringFace.face, mPatchDeviation.of(mRing.survivors[i]));
         CollapseMesh::setPlane(face, mRing.areaAfter[mRing.survivors[i]]);

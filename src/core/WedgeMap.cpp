@@ -43,49 +43,45 @@ bool isOrdinaryEdge(const CollapseMesh& mesh, std::uint32_t a, std::uint32_t b)
 bool WedgeMap::build(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour)
 {
     const std::uint32_t destination = ring.neighbours[neighbour].vertex;
-    mCount = 1;
-    mFrom[0] = ring.faces[0].wedge[0];
     mTo[0] = destination;
     if (!mesh.wedgeMotion.empty() && !motionAllows(mesh, ring, neighbour))
         return false;
-    if (!ring.isSeam && !mesh.vertices[destination].hasSeam)
-        return mesh.subMeshOfWedge(mFrom[0]) == mesh.subMeshOfWedge(destination);
-    mCount = 0;
-    for (std::uint32_t i = 0; i < ring.faceCount; ++i) {
-        const std::uint32_t wedge = ring.faces[i].wedge[0];
-        if (std::find(mFrom, mFrom + mCount, wedge) != mFrom + mCount)
-            continue;
-        std::uint32_t to = matched(mesh, ring, neighbour, wedge);
-        if (to == kNone)
-            to = nearest(mesh, destination, wedge, motionThere(mesh, ring, neighbour, wedge));
-        if (to == kNone)
+    if (!ring.isSeam() && !mesh.vertices[destination].hasSeam)
+        return mesh.subMeshOfWedge(ring.wedges[0]) == mesh.subMeshOfWedge(destination);
+    match(mesh, ring, neighbour);
+    for (std::uint32_t i = 0; i < ring.wedgeCount; ++i) {
+        if (mTo[i] == kNone)
+            mTo[i] = nearest(mesh, destination, ring.wedges[i], motionThere(mesh, ring, neighbour, ring.wedges[i]));
+        if (mTo[i] == kNone)
             return false;
-        mFrom[mCount] = wedge;
-        mTo[mCount++] = to;
     }
     return true;
 }
 
-std::uint32_t WedgeMap::matched(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour,
-                                std::uint32_t wedge)
+/// Wedges with a face on the edge; kNone for the others.
+void WedgeMap::match(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour)
 {
-    const OneRing::Neighbour& destination = ring.neighbours[neighbour];
-    std::uint32_t best = kNone;
-    const std::uint32_t first = std::min(destination.firstFace, destination.lastFace),
-                        last = std::max(destination.firstFace, destination.lastFace);
-    const std::uint32_t step =
-        destination.faces == 2 && first != last ? last - first : 1; // most edges have these two faces only
-    for (std::uint32_t i = first; i <= last; i += step) {
-        const OneRing::RingFace& face = ring.faces[i];
-        if (face.wedge[0] != wedge || !ring.contains(face, neighbour))
-            continue;
-        const std::uint32_t there = ring.wedgeOf(face, neighbour);
-        if (mesh.subMeshOfWedge(there) != mesh.subMeshOfWedge(wedge) || there == best)
-            continue;
-        if (best == kNone || mesh.attributeDistance(wedge, there) < mesh.attributeDistance(wedge, best))
-            best = there;
+    std::fill(mTo, mTo + ring.wedgeCount, kNone);
+    const OneRing::Neighbour& end = ring.neighbours[neighbour];
+    if (end.faces <= 2) {
+        match(mesh, ring, ring.faces[end.firstFace], neighbour);
+        match(mesh, ring, ring.faces[end.lastFace], neighbour);
+        return;
     }
-    return best;
+    for (std::uint32_t i = 0; i < ring.faceCount; ++i)
+        if (ring.contains(ring.faces[i], neighbour))
+            match(mesh, ring, ring.faces[i], neighbour);
+}
+
+void WedgeMap::match(const CollapseMesh& mesh, const OneRing& ring, const OneRing::RingFace& face,
+                     std::uint32_t neighbour)
+{
+    const std::uint32_t wedge = face.wedge[0], there = ring.wedgeOf(face, neighbour);
+    std::uint32_t& best = mTo[face.own];
+    if (there == best || mesh.subMeshOfWedge(there) != mesh.subMeshOfWedge(wedge))
+        return;
+    if (best == kNone || mesh.attributeDistance(wedge, there) < mesh.attributeDistance(wedge, best))
+        best = there;
 }
 
 std::uint32_t WedgeMap::nearest(const CollapseMesh& mesh, std::uint32_t vertex, std::uint32_t wedge,

@@ -14,21 +14,12 @@ public:
     /// False when some wedge has nowhere to go.
     bool build(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour);
 
-    std::uint32_t count() const { return mCount; }
-    std::uint32_t from(std::uint32_t i) const { return mFrom[i]; }
+    /// What the ring's i-th wedge becomes.
     std::uint32_t to(std::uint32_t i) const { return mTo[i]; }
 
-    std::uint32_t operator()(std::uint32_t wedge) const
-    {
-        for (std::uint32_t i = 0; i < mCount; ++i)
-            if (mFrom[i] == wedge)
-                return mTo[i];
-        return mTo[0];
-    }
-
 private:
-    static std::uint32_t matched(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour,
-                                 std::uint32_t wedge);
+    void match(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour);
+    void match(const CollapseMesh& mesh, const OneRing& ring, const OneRing::RingFace& face, std::uint32_t neighbour);
     static std::uint32_t nearest(const CollapseMesh& mesh, std::uint32_t vertex, std::uint32_t wedge,
                                  std::uint32_t motion);
     static std::uint32_t motionThere(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour,
@@ -36,8 +27,6 @@ private:
     static bool isSplit(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour);
     static bool motionAllows(const CollapseMesh& mesh, const OneRing& ring, std::uint32_t neighbour);
 
-    std::uint32_t mCount = 0;
-    std::uint32_t mFrom[OneRing::kMaxFaces];
     std::uint32_t mTo[OneRing::kMaxFaces];
 };
 
