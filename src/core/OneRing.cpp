@@ -14,7 +14,6 @@ bool OneRing::build(CollapseMesh& mesh, std::uint32_t v)
 {
     vertex = v;
     faceCount = neighbourCount = 0;
-    mFilter = 0;
     isFan = isPlain = false;
     if (mesh.vertices[v].liveFaces == 0 || mesh.vertices[v].liveFaces > kMaxFaces)
         return false;
@@ -82,7 +81,6 @@ bool OneRing::linkFan(CollapseMesh& mesh, const Corners& corners)
     for (std::uint32_t i = 0; i < faceCount; ++i) {
         CollapseMesh::Vertex& record = vertices[corners.second[i]];
         record.ringIndex = static_cast<std::uint16_t>(i);
-        mFilter |= std::uint64_t{1} << (corners.second[i] % 64);
         Neighbour& entry = neighbours[i];
         entry.edge = Vec3{record.position[0], record.position[1], record.position[2]} - origin;
         entry.vertex = corners.second[i];
@@ -104,7 +102,6 @@ bool OneRing::linkFan(CollapseMesh& mesh, const Corners& corners)
 /// The corners up to faceCount are filled in by readFaces(); the analyzer loses sight of that.
 void OneRing::linkAny(CollapseMesh& mesh, const Corners& corners)
 {
-    mFilter = 0;
     for (std::uint32_t i = 0; i < faceCount; ++i)
         faces[i].second = note(mesh, corners.second[i], i); // NOLINT(clang-analyzer-core.CallAndMessage)
     for (std::uint32_t i = 0; i < faceCount; ++i)
@@ -122,7 +119,6 @@ std::uint16_t OneRing::note(CollapseMesh& mesh, std::uint32_t vertexNumber, std:
         return record.ringIndex;
     }
     record.ringIndex = static_cast<std::uint16_t>(neighbourCount);
-    mFilter |= std::uint64_t{1} << (vertexNumber % 64);
     Neighbour& entry = neighbours[neighbourCount++];
     entry.edge = Vec3{record.position[0], record.position[1], record.position[2]} - origin;
     entry.vertex = vertexNumber;

@@ -57,8 +57,6 @@ public:
     /// got in the ring that was built last; that it is ours, the ring itself confirms.
     std::uint32_t find(const CollapseMesh& mesh, std::uint32_t vertexNumber) const
     {
-        if ((mFilter >> (vertexNumber % 64) & 1) == 0)
-            return neighbourCount; // most often so, without a look at the vertex
         const std::uint32_t i = mesh.vertices[vertexNumber].ringIndex % kMaxNeighbours;
         return i < neighbourCount && neighbours[i].vertex == vertexNumber ? i : neighbourCount;
     }
@@ -89,8 +87,6 @@ private:
     bool linkFan(CollapseMesh& mesh, const Corners& corners);
     void linkAny(CollapseMesh& mesh, const Corners& corners);
     std::uint16_t note(CollapseMesh& mesh, std::uint32_t vertexNumber, std::uint32_t face);
-
-    std::uint64_t mFilter = 0; ///< bit n is set when some neighbour's number is n modulo 64
 };
 
 } // namespace lodsmith
