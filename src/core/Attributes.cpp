@@ -36,11 +36,14 @@ public:
         planChannels();
         if (mChannels == 0)
             return;
-        const std::size_t wedges = mMesh.nextWedge.size();
-        mMesh.attributes.resize(wedges * mChannels);
-        for (std::uint32_t wedge = 0; wedge < wedges; ++wedge)
-            readRow(wedge, mMesh.attributes.data() + wedge * mChannels);
-        keepChannels(varyingChannels(), wedges);
+        mStride = (mChannels + 1) / 2 * 2;
+        mWedges = mMesh.nextWedge.size();
+        mMesh.attributes.resize(mWedges * mStride);
+        for (std::uint32_t wedge = 0; wedge < mWedges; ++wedge)
+            readRow(wedge, rowOf(wedge));
+        for (std::size_t set = 0; set < mUvSets; ++set)
+            scaleUv(2 * set);
+        keepChannels(varyingChannels());
     }
 
 private:
@@ -50,60 +53,53 @@ private:
                 mMesh.wedgeSource[wedge]};
     }
 
+    float* rowOf(std::size_t wedge) { return mMesh.attributes.data() + wedge * mStride; }
+
     void planChannels()
     {
-        std::size_t uvSets = 0;
         for (const VertexBufferView& buffer : mView.vertexBuffers) {
-            uvSets = std::max(uvSets, buffer.uvSets.size());
+            if (mWeights.uv > 0.0f)
+                mUvSets = std::max(mUvSets, buffer.uvSets.size());
             mPoses = std::max(mPoses, buffer.offsets.size());
             mHasNormals |= static_cast<bool>(buffer.normals) && mWeights.normal > 0.0f;
             mHasColours |= static_cast<bool>(buffer.colours) && mWeights.colour > 0.0f;
             mHasBones |= buffer.bones != nullptr && mWeights.bone > 0.0f;
         }
-        if (mWeights.uv > 0.0f)
-            for (std::size_t set = 0; set < uvSets; ++set)
-                mUvScales.push_back(uvScale(set));
         const double radius = mMesh.summary.radius * mMesh.scale;
         mNormalScale = static_cast<float>(mWeights.normal * radius);
         mColourScale = static_cast<float>(mWeights.colour * radius);
         mBoneScale = static_cast<float>(mWeights.bone * radius / std::sqrt(static_cast<double>(kProjected)));
-        mChannels = 2 * mUvScales.size() + (mHasNormals ? 3 : 0) + (mHasColours ? 4 : 0) + (mHasBones ? kProjected : 0)
+        mChannels = 2 * mUvSets + (mHasNormals ? 3 : 0) + (mHasColours ? 4 : 0) + (mHasBones ? kProjected : 0)
                     + std::min<std::size_t>(3 * mPoses, kProjected);
     }
 
-    /// Length that one unit of a texture coordinate set stands for: from the mesh's mean texel density.
-    float uvScale(std::size_t set) const
+    /// Scales a texture coordinate set, whose two channels have been read, by the length that one unit of it stands for: from
+    /// the mesh's mean texel density.
+    void scaleUv(std::size_t channel)
     {
-        double surface = 0.0, texture = 0.0;
+        double texture = 0.0;
         for (const CollapseMesh::Face& face : mMesh.faces) {
-            float uv[3][2];
-            for (int corner = 0; corner < 3; ++corner)
-                readUv(sourceOf(face.wedge[corner]), set, uv[corner]);
-            const double doubled = (uv[1][0] - uv[0][0]) * double{uv[2][1] - uv[0][1]}
-                                   - (uv[1][1] - uv[0][1]) * double{uv[2][0] - uv[0][0]};
+            const float *a = rowOf(face.wedge[0]) + channel, *b = rowOf(face.wedge[1]) + channel,
+                        *c = rowOf(face.wedge[2]) + channel;
+            const double doubled = (b[0] - a[0]) * double{c[1] - a[1]} - (b[1] - a[1]) * double{c[0] - a[0]};
             texture += 0.5 * std::abs(doubled);
-            surface += face.area;
         }
-        return texture > 0.0 ? static_cast<float>(mWeights.uv * std::sqrt(surface / texture)) : 0.0f;
+        const float scale = texture > 0.0 ? static_cast<float>(mWeights.uv * std::sqrt(mMesh.area / texture)) : 0.0f;
+        for (std::size_t wedge = 0; wedge < mWedges; ++wedge) {
+            rowOf(wedge)[channel] *= scale;
+            rowOf(wedge)[channel + 1] *= scale;
+        }
     }
 
-    static void readUv(const Source& source, std::size_t set, float* out)
-    {
-        out[0] = out[1] = 0.0f;
-        if (set < source.buffer->uvSets.size() && source.buffer->uvSets[set].stream)
-            source.buffer->uvSets[set].stream.read(source.index, std::min(2, source.buffer->uvSets[set].components),
-                                                   out);
-    }
-
-    /// All channels of a wedge, in the order uv sets, normal, colour, bones, offsets.
+    /// All channels of a wedge, in the order uv sets, normal, colour, bones, offsets, into a row of zeros. Texture
+    /// coordinates are scaled afterwards.
     void readRow(std::uint32_t wedge, float* out) const
     {
         const Source source = sourceOf(wedge);
-        for (std::size_t set = 0; set < mUvScales.size(); ++set, out += 2) {
-            readUv(source, set, out);
-            out[0] *= mUvScales[set];
-            out[1] *= mUvScales[set];
-        }
+        const std::size_t uvSets = std::min(mUvSets, source.buffer->uvSets.size());
+        for (std::size_t set = 0; set < uvSets; ++set)
+            readUv(source.buffer->uvSets[set], source.index, out + 2 * set);
+        out += 2 * mUvSets;
         if (mHasNormals) {
             readNormal(source, out);
             out += 3;
@@ -116,12 +112,20 @@ private:
             readBones(source, out);
             out += kProjected;
         }
-        readOffsets(source, out);
+        if (mPoses != 0)
+            readOffsets(source, out);
+    }
+
+    static void readUv(const UvStream& uv, std::uint32_t index, float* out)
+    {
+        if (uv.stream && uv.components == 1)
+            uv.stream.read(index, 1, out);
+        else if (uv.stream)
+            uv.stream.read(index, 2, out);
     }
 
     void readNormal(const Source& source, float* out) const
     {
-        std::fill(out, out + 3, 0.0f);
         if (!source.buffer->normals)
             return;
         source.buffer->normals.read(source.index, 3, out);
@@ -132,16 +136,15 @@ private:
 
     void readColour(const Source& source, float* out) const
     {
-        std::fill(out, out + 4, 0.0f);
-        if (source.buffer->colours)
-            source.buffer->colours.read(source.index, 4, out);
+        if (!source.buffer->colours)
+            return;
+        source.buffer->colours.read(source.index, 4, out);
         for (int i = 0; i < 4; ++i)
             out[i] *= mColourScale;
     }
 
     void readBones(const Source& source, float* out) const
     {
-        std::fill(out, out + kProjected, 0.0f);
         if (!source.buffer->bones)
             return;
         const BoneInfluences& bones = source.buffer->bones[source.index];
@@ -152,7 +155,6 @@ private:
 
     void readOffsets(const Source& source, float* out) const
     {
-        std::fill(out, out + std::min<std::size_t>(3 * mPoses, kProjected), 0.0f);
         const float single = static_cast<float>(mMesh.scale);
         const float projected = static_cast<float>(mMesh.scale / std::sqrt(static_cast<double>(kProjected)));
         for (std::size_t pose = 0; pose < source.buffer->offsets.size(); ++pose) {
@@ -170,38 +172,40 @@ private:
         }
     }
 
-    std::vector<std::size_t> varyingChannels() const
+    /// Few rows have to be looked at: most channels vary, and soon.
+    std::vector<std::size_t> varyingChannels()
     {
-        std::vector<char> varies(mChannels, 0);
-        const float* first = mMesh.attributes.data();
-        for (const float* row = first; row != first + mMesh.attributes.size(); row += mChannels)
-            for (std::size_t i = 0; i < mChannels; ++i)
-                varies[i] |= row[i] != first[i];
-        std::vector<std::size_t> kept;
-        for (std::size_t i = 0; i < mChannels; ++i)
-            if (varies[i])
-                kept.push_back(i);
-        return kept;
+        std::vector<std::size_t> varying;
+        for (std::size_t channel = 0; channel < mChannels; ++channel) {
+            std::size_t wedge = 1;
+            while (wedge < mWedges && rowOf(wedge)[channel] == rowOf(0)[channel])
+                ++wedge;
+            if (wedge < mWedges)
+                varying.push_back(channel);
+        }
+        return varying;
     }
 
     /// Packs the kept channels, padded with zeros to pairs.
-    void keepChannels(const std::vector<std::size_t>& kept, std::size_t wedges)
+    void keepChannels(const std::vector<std::size_t>& kept)
     {
-        const std::size_t stride = (kept.size() + 1) / 2 * 2;
-        std::vector<float> packed(wedges * stride, 0.0f);
-        for (std::size_t wedge = 0; wedge < wedges; ++wedge)
+        mMesh.attributeStride = (kept.size() + 1) / 2 * 2;
+        if (kept.size() == mChannels)
+            return;
+        std::vector<float> packed(mWedges * mMesh.attributeStride, 0.0f);
+        float* out = packed.data();
+        for (std::size_t wedge = 0; wedge < mWedges; ++wedge, out += mMesh.attributeStride)
             for (std::size_t i = 0; i < kept.size(); ++i)
-                packed[wedge * stride + i] = mMesh.attributes[wedge * mChannels + kept[i]];
+                out[i] = rowOf(wedge)[kept[i]];
         mMesh.attributes.swap(packed);
-        mMesh.attributeStride = stride;
     }
 
     CollapseMesh& mMesh;
     const MeshView& mView;
     const AttributeWeights& mWeights;
-    std::size_t mChannels = 0, mPoses = 0;
+    std::size_t mUvSets = 0, mPoses = 0;
+    std::size_t mChannels = 0, mStride = 0, mWedges = 0; ///< a row of the channels, padded to pairs, for each wedge
     bool mHasNormals = false, mHasColours = false, mHasBones = false;
-    std::vector<float> mUvScales; ///< of each set that counts
     float mNormalScale = 0.0f, mColourScale = 0.0f, mBoneScale = 0.0f;
 };
 

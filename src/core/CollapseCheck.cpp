@@ -7,7 +7,9 @@ namespace lodsmith {
 
 namespace {
 
-constexpr double kLeastCosine = 0.2;    // a face may turn by up to 78 degrees, in one collapse and in all
+constexpr double kLeastCosine = 0.2; // a face may turn by up to 78 degrees in one collapse
+// ... and never against the surface that there was at its corners: sum of three cosines
+constexpr double kAgainst = 0.03 * CollapseMesh::kNormalSteps;
 constexpr std::uint32_t kOrdinaryFaces = 8;
 constexpr std::uint32_t kHubFaces = 64; // from here on it is cheaper to ask the neighbours than to walk the hub
 
@@ -35,6 +37,12 @@ bool isTurnedOver(const Vec3& before, const Vec3& after)
     return !hadNoArea && !(along > 0.0 && along * along > kLeastCosine * kLeastCosine * lengthSquared(after));
 }
 
+bool isAgainst(const Vec3& around, const Vec3& after)
+{
+    const double along = dot(around, after);
+    return along < 0.0 && along * along > kAgainst * kAgainst * lengthSquared(after);
+}
+
 } // namespace
 
 bool CollapseCheck::allows(OneRing& ring, std::uint32_t neighbour) const
@@ -46,7 +54,7 @@ bool CollapseCheck::allows(OneRing& ring, std::uint32_t neighbour) const
     if (onEdge != 1 && ring.isBorder())
         return false; // a border is left along itself only
     ring.aimAt(neighbour);
-    if (turnsFaceOver(ring))
+    if (turnsFaceOver(ring, destination))
         return false;
     const bool hub = mMesh.vertices[destination].liveFaces > kHubFaces;
     if (!hub && isOrdinary(ring, neighbour))
@@ -54,13 +62,15 @@ bool CollapseCheck::allows(OneRing& ring, std::uint32_t neighbour) const
     return hub ? keepsLinkAtHub(ring, neighbour) : keepsLink(ring, neighbour);
 }
 
-bool CollapseCheck::turnsFaceOver(const OneRing& ring) const
+bool CollapseCheck::turnsFaceOver(const OneRing& ring, std::uint32_t destination) const
 {
+    const Vec3 there = mMesh.meanNormal(destination);
     for (std::uint32_t i = 0; i < ring.survivorCount; ++i) {
         const OneRing::RingFace& ringFace = ring.faces[ring.survivors[i]];
         const Vec3& after = ring.areaAfter[ring.survivors[i]];
-        if (isTurnedOver(CollapseMesh::normalOf(mMesh.faces[ringFace.face]), after)
-            || isTurnedOver(mMesh.firstNormal(ringFace.face), after))
+        const Vec3 around = there + mMesh.meanNormal(ring.neighbours[ringFace.second].vertex)
+                            + mMesh.meanNormal(ring.neighbours[ringFace.third].vertex);
+        if (isTurnedOver(CollapseMesh::normalOf(mMesh.faces[ringFace.face]), after) || isAgainst(around, after))
             return true;
     }
     return false;

@@ -17,7 +17,7 @@ public:
     bool allows(OneRing& ring, std::uint32_t neighbour) const;
 
 private:
-    bool turnsFaceOver(const OneRing& ring) const;
+    bool turnsFaceOver(const OneRing& ring, std::uint32_t destination) const;
     bool isOrdinary(const OneRing& ring, std::uint32_t neighbour) const;
     bool keepsLink(const OneRing& ring, std::uint32_t neighbour) const;
     bool keepsLinkAtHub(const OneRing& ring, std::uint32_t neighbour) const;

@@ -12,10 +12,20 @@ constexpr std::uint32_t kPrefetched = 12; // faces a vertex, at most
 constexpr std::uint32_t kListSlack =
     2; // a collapse between vertices of ordinary valence adds two faces to the destination
 
+constexpr double kRightAngle = 1.5707963;
+constexpr float kLeastFloat = std::numeric_limits<float>::min();
+
 /// To a float, never below (but for what is too small for a float to be exact about).
 float roundUp(double bound)
 {
     return static_cast<float>(bound * (1.0 + std::numeric_limits<float>::epsilon()));
+}
+
+/// Angle at a corner between the side that leaves it and the one that arrives; to 0.1.
+float angleBetween(const Vec3& leaving, const Vec3& arriving)
+{
+    const double cosine = -dot(leaving, arriving) / std::sqrt(lengthSquared(leaving) * lengthSquared(arriving));
+    return static_cast<float>(kRightAngle - kRightAngle * cosine * (0.64 + 0.36 * cosine * cosine));
 }
 
 } // namespace
@@ -32,14 +42,29 @@ void CollapseMesh::setPlane(Face& face, const Vec3& doubledArea)
 
 void CollapseMesh::buildPlanes()
 {
-    const auto steps = [](float n) { return static_cast<std::int8_t>(n * kNormalSteps + std::copysign(0.5f, n)); };
-    mFirstNormals.reserve(faces.size());
+    struct Sum {
+        float normal[3] = {0.0f, 0.0f, 0.0f}, weight = 0.0f;
+    };
+    std::vector<Sum> sums(vertices.size());
     for (Face& face : faces) {
         const auto [a, b, c] = cornersOf(face);
-        setPlane(face, cross(b - a, c - a));
+        const Vec3 sides[3] = {b - a, c - b, a - c};
+        setPlane(face, cross(sides[2], sides[0]));
         area += face.area;
-        mFirstNormals.push_back({steps(face.normal[0]), steps(face.normal[1]), steps(face.normal[2])});
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            Sum& sum = sums[vertexOf(face.wedge[corner])];
+            const float weight = angleBetween(sides[corner], sides[(corner + 2) % 3]);
+            for (int i = 0; i < 3; ++i)
+                sum.normal[i] += weight * face.normal[i];
+            sum.weight += weight;
+        }
     }
+    mMeanNormals.resize(vertices.size());
+    for (std::size_t v = 0; v < vertices.size(); ++v)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const float steps = kNormalSteps * sums[v].normal[i] / std::max(sums[v].weight, kLeastFloat);
+            mMeanNormals[v][i] = static_cast<std::int8_t>(steps + std::copysign(0.5f, steps));
+        }
 }
 
 void CollapseMesh::prefetchFaces(std::uint32_t vertex) const
@@ -67,13 +92,15 @@ void CollapseMesh::buildFaceLists()
 {
     for (const Face& face : faces)
         for (std::uint32_t wedge : face.wedge)
-            ++vertices[vertexOf(wedge)].faceCapacity;
+            ++vertices[vertexOf(wedge)].liveFaces;
+    liveFaces = static_cast<std::uint32_t>(faces.size());
+    liveVertices = 0;
     std::uint32_t first = 0;
     for (Vertex& vertex : vertices) {
         vertex.firstFace = first;
-        vertex.faceCapacity += kListSlack;
+        vertex.faceCapacity = vertex.liveFaces + kListSlack;
         first += vertex.faceCapacity;
-        vertex.faceSlots = 0;
+        liveVertices += vertex.liveFaces != 0;
     }
     mFaceLists.reserve(first + first / 8);
     mFaceLists.resize(first);
@@ -82,12 +109,6 @@ void CollapseMesh::buildFaceLists()
             Vertex& vertex = vertices[vertexOf(wedge)];
             mFaceLists[vertex.firstFace + vertex.faceSlots++] = i;
         }
-    liveFaces = static_cast<std::uint32_t>(faces.size());
-    liveVertices = 0;
-    for (Vertex& vertex : vertices) {
-        vertex.liveFaces = vertex.faceSlots;
-        liveVertices += vertex.liveFaces != 0;
-    }
 }
 
 void CollapseMesh::compactFaceList(std::uint32_t vertexNumber)

@@ -113,12 +113,13 @@ public:
     /// Computes the planes of all faces, and keeps what the collapses have to be compared with.
     void buildPlanes();
 
-    /// The normal that a face had in the input, about unit; zero on a face without area.
-    Vec3 firstNormal(std::uint32_t face) const
+    /// Mean of the unit normals that the faces around a vertex had in the input, weighted by their angles; in steps.
+    Vec3 meanNormal(std::uint32_t vertex) const
     {
-        const auto& n = mFirstNormals[face];
-        return Vec3{double(n[0]), double(n[1]), double(n[2])} * (1.0 / kNormalSteps);
+        const auto& n = mMeanNormals[vertex];
+        return {double(n[0]), double(n[1]), double(n[2])};
     }
+    static constexpr float kNormalSteps = 127.0f; ///< in one
 
     /// Lists the faces of every vertex; to be called once, when all faces are there.
     void buildFaceLists();
@@ -163,10 +164,8 @@ private:
     void growFaceList(Vertex& vertex, std::uint32_t needed);
     void compactAllFaceLists();
 
-    static constexpr double kNormalSteps = 127.0;
-
     std::vector<std::uint32_t> mFaceLists;
-    std::vector<std::array<std::int8_t, 3>> mFirstNormals; ///< in steps, to save memory: half a degree is near enough
+    std::vector<std::array<std::int8_t, 3>> mMeanNormals; ///< in steps, to save memory: half a degree is near enough
 };
 
 } // namespace lodsmith

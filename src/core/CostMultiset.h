@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace lodsmith {
@@ -13,10 +14,10 @@ namespace lodsmith {
 /// The collapse queue: a multiset of (cost, vertex), cheapest first, equal costs by vertex number.
 ///
 /// An entry is one 64-bit key (the bits of a non-negative float order like the number), and keys are spread over buckets
-/// by exponent and leading mantissa bits. Only the bucket in front is in order: sorted when it gets there, with a heap
-/// beside it for what comes later; the others take insertions as they come. The order is exactly that of a tree, without
-/// its nodes and cache misses, and the next entries are known ahead, so that their vertices can be prefetched
-/// (docs/simplifier.md has the figures).
+/// by exponent and leading mantissa bits. Buckets are taken from the cheapest on; only the one in front is put in order,
+/// when its turn comes, and what belongs at or before it after that goes to a heap beside it. The order is exactly that
+/// of a tree, without its nodes and cache misses, and the next entries are known ahead, so that their vertices can be
+/// prefetched (docs/simplifier.md has the figures).
 class CostMultiset {
 public:
     struct Entry {
@@ -30,64 +31,48 @@ public:
     void insert(float cost, std::uint32_t vertex)
     {
         const std::uint64_t key = keyOf(cost, vertex);
-        const std::size_t index = key >> kBucketShift;
-        Bucket& bucket = mBuckets[index];
-        if (bucket.isSorted) {
-            bucket.late.push_back(key);
-            std::push_heap(bucket.late.begin(), bucket.late.end(), std::greater<>());
+        const std::size_t bucket = key >> kBucketShift;
+        if (bucket < mTaken) {
+            mLate.push_back(key);
+            std::push_heap(mLate.begin(), mLate.end(), std::greater<>());
         } else {
-            bucket.keys.push_back(key);
+            mBuckets[bucket].push_back(key);
+            mOccupied[bucket / 64] |= std::uint64_t{1} << (bucket % 64);
         }
-        mOccupied[index / 64] |= std::uint64_t{1} << (index % 64);
-        mFront = std::min(mFront, index);
     }
 
     /// The cheapest entry; not empty.
     Entry top()
     {
         settleFront();
-        const Bucket& bucket = mBuckets[mFront];
-        return entryOf(bucket.lateIsFirst() ? bucket.late.front() : bucket.keys.back());
+        return entryOf(lateIsFirst() ? mLate.front() : mFront.back());
     }
 
     /// Takes the cheapest entry out; not empty.
     Entry pop()
     {
         settleFront();
-        Bucket& bucket = mBuckets[mFront];
-        std::vector<std::uint64_t>& source = bucket.lateIsFirst() ? bucket.late : bucket.keys;
-        if (&source == &bucket.late)
-            std::pop_heap(source.begin(), source.end(), std::greater<>());
+        const bool late = lateIsFirst();
+        if (late)
+            std::pop_heap(mLate.begin(), mLate.end(), std::greater<>());
+        std::vector<std::uint64_t>& source = late ? mLate : mFront;
         const Entry entry = entryOf(source.back());
         source.pop_back();
-        if (bucket.isEmpty()) {
-            bucket.isSorted = false;
-            mOccupied[mFront / 64] &= ~(std::uint64_t{1} << (mFront % 64));
-        }
         return entry;
     }
 
     /// A vertex that will probably come up `ahead` pops from now; any vertex of an entry will do for that. Call after pop().
     bool expected(std::size_t ahead, std::uint32_t& vertex) const
     {
-        if (mFront == kBucketCount || !mBuckets[mFront].isSorted || mBuckets[mFront].keys.size() <= ahead)
+        if (mFront.size() <= ahead)
             return false;
-        vertex = static_cast<std::uint32_t>(mBuckets[mFront].keys[mBuckets[mFront].keys.size() - 1 - ahead]);
+        vertex = static_cast<std::uint32_t>(mFront[mFront.size() - 1 - ahead]);
         return true;
     }
 
 private:
     static constexpr int kBucketShift = 32 + 20; // exponent and three mantissa bits: eight buckets an octave
     static constexpr std::size_t kBucketCount = 2048;
-
-    struct Bucket {
-        std::vector<std::uint64_t> keys; ///< descending when sorted
-        std::vector<std::uint64_t> late; ///< a heap, used only when sorted
-        bool isSorted = false;
-
-        bool isEmpty() const { return keys.empty() && late.empty(); }
-        bool lateIsFirst() const { return !late.empty() && (keys.empty() || late.front() < keys.back()); }
-    };
 
     static std::uint64_t keyOf(float cost, std::uint32_t vertex)
     {
@@ -106,18 +91,22 @@ private:
         return entry;
     }
 
-    /// Finds the lowest occupied bucket and puts it in order. False when there is none.
+    bool lateIsFirst() const { return !mLate.empty() && (mFront.empty() || mLate.front() < mFront.back()); }
+
+    /// Takes the next bucket when nothing is left in front. False when there is none.
     bool settleFront()
     {
-        while (mFront < kBucketCount && mBuckets[mFront].isEmpty())
-            mFront = nextOccupied(mFront + 1);
-        if (mFront == kBucketCount)
+        if (!mFront.empty() || !mLate.empty())
+            return true;
+        const std::size_t next = nextOccupied(mTaken);
+        if (next == kBucketCount) {
+            mTaken = 0; // with nothing left, what comes may be spread over all buckets again
             return false;
-        Bucket& bucket = mBuckets[mFront];
-        if (!bucket.isSorted) {
-            std::sort(bucket.keys.begin(), bucket.keys.end(), std::greater<>());
-            bucket.isSorted = true;
         }
+        mTaken = next + 1;
+        mOccupied[next / 64] &= ~(std::uint64_t{1} << (next % 64));
+        mFront = std::move(mBuckets[next]);
+        std::sort(mFront.begin(), mFront.end(), std::greater<>());
         return true;
     }
 
@@ -139,9 +128,11 @@ private:
         return position;
     }
 
-    std::array<Bucket, kBucketCount> mBuckets;
+    std::array<std::vector<std::uint64_t>, kBucketCount> mBuckets;
     std::array<std::uint64_t, kBucketCount / 64> mOccupied{};
-    std::size_t mFront = kBucketCount;
+    std::size_t mTaken = 0;            ///< buckets before this one have had their turn
+    std::vector<std::uint64_t> mFront; ///< the bucket taken last, descending
+    std::vector<std::uint64_t> mLate;  ///< a heap of what came after its bucket's turn
 };
 
 } // namespace lodsmith

@@ -83,12 +83,12 @@ std::vector<std::vector<std::uint32_t>> snapshot(const CollapseMesh& mesh)
     for (std::size_t s = 0; s < lists.size(); ++s) {
         const auto begin = mesh.faces.begin() + mesh.firstFaceOfSubMesh[s],
                    end = mesh.faces.begin() + mesh.firstFaceOfSubMesh[s + 1];
-        const auto gone = std::count_if(begin, end, [&](const CollapseMesh::Face& face) { return mesh.isGone(face); });
-        lists[s].reserve(3 * static_cast<std::size_t>(end - begin - gone));
+        lists[s].reserve(3 * std::min<std::size_t>(static_cast<std::size_t>(end - begin), mesh.liveFaces));
         for (auto face = begin; face != end; ++face)
             if (!mesh.isGone(*face))
                 for (std::uint32_t wedge : face->wedge)
                     lists[s].push_back(mesh.wedgeSource[wedge]);
+        lists[s].shrink_to_fit();
     }
     return lists;
 }

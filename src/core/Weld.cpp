@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 namespace lodsmith {
@@ -22,34 +23,32 @@ Position readPosition(const VertexBufferView& buffer, std::uint32_t index)
 {
     Position p;
     buffer.positions.read(index, 3, p.data());
-    for (float& coordinate : p)
-        coordinate += 0.0f; // -0 and 0 are one position
-    return p;
+    return {p[0] + 0.0f, p[1] + 0.0f, p[2] + 0.0f}; // -0 and 0 are one position
 }
 
-using Triple = std::array<std::uint32_t, 3>;
-
-/// The same face beginning at its lowest vertex.
-Triple rotated(const Triple& v)
+std::size_t hashOf(const Position& p)
 {
-    if (v[0] < v[1] && v[0] < v[2])
-        return v;
-    return v[1] < v[2] ? Triple{v[1], v[2], v[0]} : Triple{v[2], v[0], v[1]};
-}
-
-std::size_t hashOf(const Triple& bits)
-{
+    std::uint32_t bits[3];
+    std::memcpy(bits, p.data(), sizeof bits);
     std::uint64_t h = bits[0] * 0x9E3779B97F4A7C15ull;
     h = (h ^ (h >> 29) ^ bits[1]) * 0xBF58476D1CE4E5B9ull;
     h = (h ^ (h >> 32) ^ bits[2]) * 0x94D049BB133111EBull;
     return static_cast<std::size_t>(h ^ (h >> 31));
 }
 
-std::size_t hashOf(const Position& p)
+using Triple = std::array<std::uint32_t, 3>;
+
+/// The same whichever corner comes first.
+std::size_t hashOf(const Triple& v)
 {
-    Triple bits;
-    std::memcpy(bits.data(), p.data(), sizeof bits);
-    return hashOf(bits);
+    constexpr std::uint64_t k = 0x9E3779B97F4A7C15ull;
+    return static_cast<std::size_t>(((k + v[0]) * (k + v[1]) * (k + v[2])) >> 32);
+}
+
+/// Whether two faces have the same vertices and winding.
+bool sameFace(const Triple& a, const Triple& b)
+{
+    return a == b || a == Triple{b[1], b[2], b[0]} || a == Triple{b[2], b[0], b[1]};
 }
 
 /// Size of a hash table, a power of two.
@@ -61,14 +60,32 @@ std::size_t slotsFor(std::size_t entries)
     return slots;
 }
 
+/// Up to four floats of a vertex, with zeros for the rest, or for all when there is no stream.
+std::array<float, 4> tupleAt(const FloatStream& stream, std::uint32_t index, int count)
+{
+    std::array<float, 4> tuple{};
+    if (!stream)
+        return tuple;
+    switch (count) { // a copy of a size known beforehand needs no call
+    case 1: stream.read(index, 1, tuple.data()); break;
+    case 2: stream.read(index, 2, tuple.data()); break;
+    case 3: stream.read(index, 3, tuple.data()); break;
+    default: stream.read(index, 4, tuple.data()); break;
+    }
+    return tuple;
+}
+
 bool sameTuple(const FloatStream& stream, std::uint32_t a, std::uint32_t b, int count)
+{
+    return tupleAt(stream, a, count) == tupleAt(stream, b, count);
+}
+
+bool finiteTuple(const FloatStream& stream, std::uint32_t index, int count)
 {
     if (!stream)
         return true;
-    float va[4], vb[4];
-    stream.read(a, count, va);
-    stream.read(b, count, vb);
-    return std::equal(va, va + count, vb);
+    const std::array<float, 4> v = tupleAt(stream, index, count);
+    return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]) && std::isfinite(v[3]);
 }
 
 float weightOf(const BoneInfluences& influences, std::uint16_t bone)
@@ -126,15 +143,6 @@ bool sameAttributes(const VertexBufferView& buffer, std::uint32_t a, std::uint32
                           [&](const UvStream& uv) { return sameTuple(uv.stream, a, b, uv.components); });
 }
 
-bool finiteTuple(const FloatStream& stream, std::uint32_t index, int count)
-{
-    if (!stream)
-        return true;
-    float v[4];
-    stream.read(index, count, v);
-    return std::all_of(v, v + count, [](float f) { return std::isfinite(f); });
-}
-
 class Welder {
 public:
     explicit Welder(const MeshView& view) : mView(view) {}
@@ -167,6 +175,9 @@ private:
         mMesh.summary.triangles = static_cast<std::uint32_t>(triangles);
         mMesh.faces.reserve(triangles);
         mMesh.vertices.reserve(vertices);
+        mMesh.nextWedge.reserve(vertices);
+        mMesh.wedgeSource.reserve(vertices);
+        mManySubMeshes = mView.subMeshes.size() > 1;
         mWedgeOf.resize(mView.vertexBuffers.size());
         for (std::size_t b = 0; b < mView.vertexBuffers.size(); ++b)
             mWedgeOf[b].assign(mView.vertexBuffers[b].vertexCount, kNone);
@@ -179,46 +190,64 @@ private:
     {
         const SubMeshView& subMesh = mView.subMeshes[static_cast<std::size_t>(number)];
         mMesh.firstFaceOfSubMesh.push_back(static_cast<std::uint32_t>(mMesh.faces.size()));
+        mFirstNew = mMesh.vertexCount();
+        mFirstNewExtra = kExtra | static_cast<std::uint32_t>(mExtra.size());
+        return subMesh.indexBytes == 2 ? addFaces(number, static_cast<const std::uint16_t*>(subMesh.indices))
+                                       : addFaces(number, static_cast<const std::uint32_t*>(subMesh.indices));
+    }
+
+    template <class Index>
+    std::optional<Error> addFaces(int number, const Index* indices)
+    {
+        const SubMeshView& subMesh = mView.subMeshes[static_cast<std::size_t>(number)];
+        const std::uint32_t* wedgeOf = mWedgeOf[subMesh.vertexBuffer].data();
+        const std::uint32_t vertexCount = mView.vertexBuffers[subMesh.vertexBuffer].vertexCount;
         for (std::uint32_t first = 0; first + 2 < subMesh.indexCount; first += 3) {
-            CollapseMesh::Face face{};
-            for (int corner = 0; corner < 3; ++corner)
-                if (auto error = wedgeAt(number, first + static_cast<std::uint32_t>(corner), face.wedge[corner]))
-                    return error;
-            const std::uint32_t a = provisionalVertexOf(face.wedge[0]), b = provisionalVertexOf(face.wedge[1]),
-                                c = provisionalVertexOf(face.wedge[2]);
-            if (a == b || b == c || c == a)
-                ++mMesh.summary.cleaned.degenerateTriangles;
-            else if (isRepeated({a, b, c}))
-                ++mMesh.summary.cleaned.repeatedTriangles;
-            else
-                mMesh.faces.push_back(face);
+            for (std::uint32_t at = first; at < first + 3; ++at)
+                if (indices[at] >= vertexCount || !isOfThisSubMesh(wedgeOf[indices[at]]))
+                    if (auto error = addWedge(number, at, indices[at]))
+                        return error;
+            addFace({wedgeOf[indices[first]], wedgeOf[indices[first + 1]], wedgeOf[indices[first + 2]]});
         }
         return std::nullopt;
+    }
+
+    /// Each submesh has its own wedges, which are added while it is read.
+    bool isOfThisSubMesh(std::uint32_t wedge) const
+    {
+        return wedge != kNone && wedge >= (wedge & kExtra ? mFirstNewExtra : mFirstNew);
+    }
+
+    void addFace(const Triple& wedges)
+    {
+        const Triple v = provisionalVerticesOf(wedges.data());
+        if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0])
+            ++mMesh.summary.cleaned.degenerateTriangles;
+        else if (isRepeated(v))
+            ++mMesh.summary.cleaned.repeatedTriangles;
+        else
+            std::copy(wedges.begin(), wedges.end(), mMesh.faces.emplace_back().wedge);
     }
 
     /// Whether this submesh has a face with these vertices and this winding already. If not, the face to be added next is
     /// taken to be it.
     bool isRepeated(const Triple& vertices)
     {
-        const Triple key = rotated(vertices);
-        std::size_t slot = hashOf(key) & (mFaceSlots.size() - 1);
-        for (; mFaceSlots[slot] != kNone; slot = (slot + 1) & (mFaceSlots.size() - 1)) {
-            const std::uint32_t* wedge = mMesh.faces[mFaceSlots[slot]].wedge;
+        const std::size_t mask = mFaceSlots.size() - 1;
+        std::size_t slot = hashOf(vertices) & mask;
+        for (; mFaceSlots[slot] != kNone; slot = (slot + 1) & mask)
             if (mFaceSlots[slot] >= mMesh.firstFaceOfSubMesh.back()
-                && rotated(
-                       {provisionalVertexOf(wedge[0]), provisionalVertexOf(wedge[1]), provisionalVertexOf(wedge[2])})
-                       == key)
+                && sameFace(provisionalVerticesOf(mMesh.faces[mFaceSlots[slot]].wedge), vertices))
                 return true;
-        }
         mFaceSlots[slot] = static_cast<std::uint32_t>(mMesh.faces.size());
         return false;
     }
 
-    std::optional<Error> wedgeAt(int subMeshNumber, std::uint32_t at, std::uint32_t& wedge)
+    /// Wedge of a buffer vertex that this submesh has not met before.
+    std::optional<Error> addWedge(int subMeshNumber, std::uint32_t at, std::uint32_t index)
     {
-        const SubMeshView& subMesh = mView.subMeshes[static_cast<std::size_t>(subMeshNumber)];
-        const VertexBufferView& buffer = mView.vertexBuffers[subMesh.vertexBuffer];
-        const std::uint32_t index = subMesh.index(at);
+        const std::uint32_t bufferNumber = mView.subMeshes[static_cast<std::size_t>(subMeshNumber)].vertexBuffer;
+        const VertexBufferView& buffer = mView.vertexBuffers[bufferNumber];
         if (index >= buffer.vertexCount)
             return Error{ErrorCode::IndexOutOfRange,
                          "index " + std::to_string(index) + " in a buffer of " + std::to_string(buffer.vertexCount)
@@ -227,16 +256,14 @@ private:
                          -1,
                          subMeshNumber,
                          at};
-        std::uint32_t& known = mWedgeOf[subMesh.vertexBuffer][index];
         const auto number = static_cast<std::uint32_t>(subMeshNumber);
-        if (known == kNone) {
-            if (const char* trouble = troubleWith(buffer, index))
-                return Error{ErrorCode::InvalidGeometry, trouble, {}, -1, subMeshNumber, index};
-            known = addBufferVertex(number, index);
-        } else if (record(known).subMesh != number) {
+        std::uint32_t& known = mWedgeOf[bufferNumber][index];
+        if (known != kNone)
             known = addToVertex(provisionalVertexOf(known), number, index); // shared with an earlier submesh
-        }
-        wedge = known;
+        else if (const char* trouble = troubleWith(buffer, index))
+            return Error{ErrorCode::InvalidGeometry, trouble, {}, -1, subMeshNumber, index};
+        else
+            known = addBufferVertex(number, index, readPosition(buffer, index));
         return std::nullopt;
     }
 
@@ -269,9 +296,8 @@ private:
     }
 
     /// Wedge of a buffer vertex that is met for the first time.
-    std::uint32_t addBufferVertex(std::uint32_t subMesh, std::uint32_t index)
+    std::uint32_t addBufferVertex(std::uint32_t subMesh, std::uint32_t index, const Position& position)
     {
-        const Position position = readPosition(bufferOf(subMesh), index);
         std::size_t slot = hashOf(position) & (mSlots.size() - 1);
         while (mSlots[slot] != kNone
                && std::memcmp(mMesh.vertices[mSlots[slot]].position, position.data(), sizeof position) != 0)
@@ -283,7 +309,7 @@ private:
         CollapseMesh::Vertex record{};
         std::copy(position.begin(), position.end(), record.position);
         mMesh.vertices.push_back(record);
-        mFirst.push_back({subMesh, index, kNone, vertex});
+        addRecord({subMesh, index, kNone, vertex});
         noteImportance(vertex, subMesh, index);
         return vertex;
     }
@@ -293,8 +319,8 @@ private:
         noteImportance(vertex, subMesh, index);
         const BufferVertex added{&bufferOf(subMesh), index};
         std::uint32_t motion = kNone, last = vertex;
-        for (std::uint32_t wedge = vertex; wedge != kNone; wedge = record(wedge).next) {
-            const WedgeRecord& other = record(wedge);
+        for (std::uint32_t wedge = vertex; wedge != kNone; wedge = recordOf(wedge).next) {
+            const WedgeRecord other = recordOf(wedge);
             const bool together = !mMoves || sameMotion({&bufferOf(other.subMesh), other.index}, added);
             if (together && other.subMesh == subMesh && sameAttributes(*added.buffer, other.index, index))
                 return wedge;
@@ -303,7 +329,7 @@ private:
             last = wedge;
         }
         const std::uint32_t wedge = kExtra | static_cast<std::uint32_t>(mExtra.size());
-        record(last).next = wedge;
+        (last & kExtra ? mExtra[last & ~kExtra].next : mMesh.nextWedge[last]) = wedge;
         mMesh.vertices[vertex].hasSeam = true;
         mSplitMotion |= motion == kNone;
         mExtra.push_back({subMesh, index, kNone, motion == kNone ? wedge : motion});
@@ -331,7 +357,26 @@ private:
         std::uint32_t subMesh, index, next, motion;
     };
 
-    WedgeRecord& record(std::uint32_t wedge) { return wedge & kExtra ? mExtra[wedge & ~kExtra] : mFirst[wedge]; }
+    /// Appends a wedge under its final number, which is known at once for the first wedge of a vertex.
+    void addRecord(const WedgeRecord& wedge)
+    {
+        mMesh.nextWedge.push_back(wedge.next);
+        mMesh.wedgeSource.push_back(wedge.index);
+        if (mManySubMeshes)
+            mMesh.wedgeSubMesh.push_back(wedge.subMesh);
+    }
+
+    WedgeRecord recordOf(std::uint32_t wedge) const
+    {
+        if (wedge & kExtra)
+            return mExtra[wedge & ~kExtra];
+        return {mMesh.subMeshOfWedge(wedge), mMesh.wedgeSource[wedge], mMesh.nextWedge[wedge], wedge};
+    }
+
+    Triple provisionalVerticesOf(const std::uint32_t* wedge) const
+    {
+        return {provisionalVertexOf(wedge[0]), provisionalVertexOf(wedge[1]), provisionalVertexOf(wedge[2])};
+    }
     std::uint32_t provisionalVertexOf(std::uint32_t wedge) const
     {
         return wedge & kExtra ? mMesh.extraWedgeVertex[wedge & ~kExtra] : wedge;
@@ -340,13 +385,8 @@ private:
     void finish()
     {
         mSlots = mFaceSlots = {};
-        const auto number = [this](std::uint32_t wedge) {
-            return wedge == kNone || !(wedge & kExtra) ? wedge : mMesh.vertexCount() + (wedge & ~kExtra);
-        };
-        for (CollapseMesh::Face& face : mMesh.faces)
-            for (std::uint32_t& wedge : face.wedge)
-                wedge = number(wedge);
-        fillWedges(number);
+        if (!mExtra.empty())
+            numberExtraWedges();
         if (!mMesh.importance.empty())
             mMesh.importance.resize(mMesh.vertices.size());
         countUnreferenced();
@@ -354,20 +394,27 @@ private:
         scalePositions();
     }
 
-    template <class Number>
-    void fillWedges(const Number& number)
+    void numberExtraWedges()
     {
-        const bool manySubMeshes = mView.subMeshes.size() > 1;
-        for (const auto* records : {&mFirst, &mExtra})
-            for (const WedgeRecord& wedge : *records) {
-                mMesh.nextWedge.push_back(number(wedge.next));
-                mMesh.wedgeSource.push_back(wedge.index);
-                if (manySubMeshes)
-                    mMesh.wedgeSubMesh.push_back(wedge.subMesh);
-                if (mSplitMotion)
-                    mMesh.wedgeMotion.push_back(number(wedge.motion));
-            }
-        mFirst = {};
+        const std::uint32_t first = mMesh.vertexCount();
+        const auto number = [first](std::uint32_t wedge) {
+            return wedge == kNone || !(wedge & kExtra) ? wedge : first + (wedge & ~kExtra);
+        };
+        for (CollapseMesh::Face& face : mMesh.faces)
+            for (std::uint32_t& wedge : face.wedge)
+                wedge = number(wedge);
+        for (std::uint32_t& next : mMesh.nextWedge)
+            next = number(next);
+        if (mSplitMotion) {
+            mMesh.wedgeMotion.resize(first);
+            std::iota(mMesh.wedgeMotion.begin(), mMesh.wedgeMotion.end(), 0u);
+        }
+        for (WedgeRecord wedge : mExtra) {
+            wedge.next = number(wedge.next);
+            addRecord(wedge);
+            if (mSplitMotion)
+                mMesh.wedgeMotion.push_back(number(wedge.motion));
+        }
         mExtra = {};
     }
 
@@ -380,15 +427,16 @@ private:
 
     void scalePositions()
     {
-        double low[3], high[3];
-        std::fill(low, low + 3, std::numeric_limits<double>::max());
-        std::fill(high, high + 3, std::numeric_limits<double>::lowest());
+        Position low, high;
+        low.fill(std::numeric_limits<float>::max());
+        high.fill(std::numeric_limits<float>::lowest());
         for (const CollapseMesh::Vertex& vertex : mMesh.vertices)
-            for (int i = 0; i < 3; ++i) {
-                low[i] = std::min<double>(low[i], vertex.position[i]);
-                high[i] = std::max<double>(high[i], vertex.position[i]);
+            for (std::size_t i = 0; i < 3; ++i) {
+                low[i] = std::min(low[i], vertex.position[i]);
+                high[i] = std::max(high[i], vertex.position[i]);
             }
-        const Vec3 centre{0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]), 0.5 * (low[2] + high[2])};
+        const auto middle = [&](std::size_t i) { return 0.5 * (double{low[i]} + double{high[i]}); };
+        const Vec3 centre{middle(0), middle(1), middle(2)};
         double radiusSquared = 0.0;
         for (std::uint32_t v = 0; v < mMesh.vertexCount(); ++v)
             radiusSquared = std::max(radiusSquared, lengthSquared(mMesh.position(v) - centre));
@@ -406,7 +454,9 @@ private:
     std::vector<std::vector<std::uint32_t>> mWedgeOf; ///< of each buffer's vertices, kNone when not referenced
     std::vector<std::uint32_t> mSlots;                ///< hash table of positions: vertex numbers
     std::vector<std::uint32_t> mFaceSlots;            ///< hash table of faces
-    std::vector<WedgeRecord> mFirst, mExtra;
+    std::vector<WedgeRecord> mExtra;                  ///< wedges besides the first of a vertex
+    std::uint32_t mFirstNew = 0, mFirstNewExtra = 0;  ///< first numbers of this submesh's wedges, of either kind
+    bool mManySubMeshes = false;
     bool mMoves = false; ///< some vertex has bones or pose offsets
     bool mSplitMotion = false;
 };
