@@ -1,36 +1,65 @@
-#include "FaceIndex.h"
+// Morton: A Computer Oriented Geodetic Data Base and a New Technique in File Sequencing. IBM, 1966.
 
-#include <algorithm>
+#include "FaceIndex.h"
 
 namespace lodsmith {
 
 namespace {
 
-constexpr std::uint32_t kLeafFaces = 4;
+constexpr float kCells = 1023.0f; // of the curve along the longest side: ten bits
+
+/// Ten bits, with two zeros between.
+std::uint32_t spread(float cell)
+{
+    auto bits = static_cast<std::uint32_t>(cell);
+    bits = (bits | bits << 16) & 0x030000FFu;
+    bits = (bits | bits << 8) & 0x0300F00Fu;
+    bits = (bits | bits << 4) & 0x030C30C3u;
+    return (bits | bits << 2) & 0x09249249u;
+}
+
+float gap(float low, float value, float high)
+{
+    return std::max(std::max(low - value, value - high), 0.0f);
+}
 
 } // namespace
 
-FaceIndex::Node FaceIndex::emptyBox()
-{
-    Node node{};
-    std::fill(node.low, node.low + 3, std::numeric_limits<float>::max());
-    std::fill(node.high, node.high + 3, std::numeric_limits<float>::lowest());
-    return node;
-}
-
-void FaceIndex::extend(Node& node, const float* low, const float* high)
+void FaceIndex::Group::set(std::size_t lane, const Box& box)
 {
     for (int axis = 0; axis < 3; ++axis) {
-        node.low[axis] = std::min(node.low[axis], low[axis]);
-        node.high[axis] = std::max(node.high[axis], high[axis]);
+        low[axis][lane] = box.low[axis];
+        high[axis][lane] = box.high[axis];
     }
+}
+
+FaceIndex::Box FaceIndex::Group::all() const
+{
+    Box box;
+    for (int axis = 0; axis < 3; ++axis) {
+        box.low[axis] = *std::min_element(low[axis], low[axis] + kLanes);
+        box.high[axis] = *std::max_element(high[axis], high[axis] + kLanes);
+    }
+    return box;
+}
+
+std::array<float, FaceIndex::kLanes> FaceIndex::Group::squaredDistances(const Vec3& point) const
+{
+    const auto px = static_cast<float>(point.x), py = static_cast<float>(point.y), pz = static_cast<float>(point.z);
+    std::array<float, kLanes> squared;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const float x = gap(low[0][i], px, high[0][i]), y = gap(low[1][i], py, high[1][i]),
+                    z = gap(low[2][i], pz, high[2][i]);
+        squared[i] = x * x + y * y + z * z;
+    }
+    return squared;
 }
 
 std::uint32_t FaceIndex::nearest(const Vec3& point, double enough, const std::vector<std::uint32_t>& except)
 {
     refresh();
     Search search{point, enough * enough, except};
-    visit(0, search);
+    visit(mLevels.size() - 1, 0, search);
     return search.face;
 }
 
@@ -38,79 +67,83 @@ void FaceIndex::refresh()
 {
     if (!mFaces.empty() && mMesh.liveFaces > mFaces.size() / 2)
         return;
-    mFaces.clear();
-    mFaces.reserve(mMesh.liveFaces);
-    Node box = emptyBox();
-    for (std::uint32_t i = 0; i < mMesh.faces.size(); ++i) {
-        if (mMesh.isGone(mMesh.faces[i]))
+    if (mFaces.empty())
+        sortFaces();
+    else
+        mFaces.erase(std::remove_if(mFaces.begin(), mFaces.end(),
+                                    [this](std::uint32_t face) { return mMesh.isGone(mMesh.faces[face]); }),
+                     mFaces.end());
+    buildLevels();
+}
+
+void FaceIndex::sortFaces()
+{
+    const Box bounds = boundsOfVertices();
+    float size = std::numeric_limits<float>::min();
+    for (int axis = 0; axis < 3; ++axis)
+        size = std::max(size, bounds.high[axis] - bounds.low[axis]);
+    std::vector<std::uint64_t> keys;
+    keys.reserve(mMesh.liveFaces);
+    for (std::uint32_t face = 0; face < mMesh.faces.size(); ++face) {
+        if (mMesh.isGone(mMesh.faces[face]))
             continue;
-        mFaces.push_back({{0.0f, 0.0f, 0.0f}, i});
-        for (std::uint32_t wedge : mMesh.faces[i].wedge) {
-            const float* p = mMesh.vertices[mMesh.vertexOf(wedge)].position;
-            extend(box, p, p);
-            for (int axis = 0; axis < 3; ++axis)
-                mFaces.back().centre[axis] += p[axis] / 3.0f;
-        }
+        const float* corner = mMesh.vertices[mMesh.vertexOf(mMesh.faces[face].wedge[0])].position;
+        std::uint64_t key = 0;
+        for (int axis = 0; axis < 3; ++axis)
+            key = key << 1 | spread((corner[axis] - bounds.low[axis]) / size * kCells);
+        keys.push_back(key << 32 | face);
     }
-    mNodes.clear();
-    mNodes.reserve(mFaces.size());
-    build(0, static_cast<std::uint32_t>(mFaces.size()), box);
+    std::sort(keys.begin(), keys.end());
+    mFaces.reserve(keys.size());
+    for (const std::uint64_t key : keys)
+        mFaces.push_back(static_cast<std::uint32_t>(key));
 }
 
-/// Makes the node for a range of faces, whose centres lie in the given part of space, and all below it.
-void FaceIndex::build(std::uint32_t first, std::uint32_t last, Node part)
+FaceIndex::Box FaceIndex::boundsOfVertices() const
 {
-    const std::size_t number = mNodes.size();
-    mNodes.push_back(emptyBox());
-    if (last - first <= kLeafFaces) {
-        Node& leaf = mNodes[number];
-        leaf.first = first;
-        leaf.count = last - first;
-        for (std::uint32_t i = first; i < last; ++i)
-            for (std::uint32_t wedge : mMesh.faces[mFaces[i].face].wedge) {
-                const float* p = mMesh.vertices[mMesh.vertexOf(wedge)].position;
-                extend(leaf, p, p);
-            }
-        return;
-    }
-    int axis = 0;
-    for (const int other : {1, 2})
-        if (part.high[other] - part.low[other] > part.high[axis] - part.low[axis])
-            axis = other;
-    const std::uint32_t middle = (first + last) / 2;
-    std::nth_element(mFaces.begin() + first, mFaces.begin() + middle, mFaces.begin() + last,
-                     [axis](const Entry& a, const Entry& b) {
-                         return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis] : a.face < b.face;
-                     });
-    Node lower = part, upper = part;
-    lower.high[axis] = upper.low[axis] = mFaces[middle].centre[axis];
-    build(first, middle, lower);
-    const auto second = static_cast<std::uint32_t>(mNodes.size());
-    build(middle, last, upper);
-    Node& node = mNodes[number];
-    node.first = second;
-    for (const std::size_t child : {number + 1, std::size_t{second}})
-        extend(node, mNodes[child].low, mNodes[child].high);
+    Box bounds;
+    for (const CollapseMesh::Vertex& vertex : mMesh.vertices)
+        if (vertex.liveFaces != 0)
+            bounds.extend(vertex.position);
+    return bounds;
 }
 
-void FaceIndex::visit(std::uint32_t number, Search& search) const
+void FaceIndex::buildLevels()
 {
-    const Node& node = mNodes[number];
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-        consider(mFaces[i].face, search);
-    if (node.count != 0)
-        return;
-    std::uint32_t child[2] = {number + 1, node.first};
-    double least[2] = {squaredDistance(mNodes[child[0]], search.point),
-                       squaredDistance(mNodes[child[1]], search.point)};
-    if (least[1] < least[0]) {
-        std::swap(child[0], child[1]);
-        std::swap(least[0], least[1]);
+    mLevels.assign(1, std::vector<Group>((mFaces.size() + kLanes - 1) / kLanes));
+    for (std::size_t i = 0; i < mFaces.size(); ++i)
+        mLevels[0][i / kLanes].set(i % kLanes, boxOf(mFaces[i]));
+    while (mLevels.back().size() > 1) {
+        const std::vector<Group>& below = mLevels.back();
+        std::vector<Group> level((below.size() + kLanes - 1) / kLanes);
+        for (std::size_t i = 0; i < below.size(); ++i)
+            level[i / kLanes].set(i % kLanes, below[i].all());
+        mLevels.push_back(std::move(level));
     }
-    for (const int i : {0, 1})
-        if (least[i] <= search.squaredDistance
-            && search.squaredDistance > search.squaredEnough) // equally near ones count
-            visit(child[i], search);
+}
+
+FaceIndex::Box FaceIndex::boxOf(std::uint32_t face) const
+{
+    Box box;
+    for (std::uint32_t wedge : mMesh.faces[face].wedge)
+        box.extend(mMesh.vertices[mMesh.vertexOf(wedge)].position);
+    return box;
+}
+
+void FaceIndex::visit(std::size_t level, std::size_t group, Search& search) const
+{
+    std::array<float, kLanes> least = mLevels[level][group].squaredDistances(search.point);
+    while (search.squaredDistance > search.squaredEnough) {
+        const auto nearest = std::min_element(least.begin(), least.end());
+        if (*nearest > search.squaredDistance)
+            return;
+        *nearest = kInfinity;
+        const std::size_t child = group * kLanes + static_cast<std::size_t>(nearest - least.begin());
+        if (level == 0)
+            consider(mFaces[child], search);
+        else
+            visit(level - 1, child, search);
+    }
 }
 
 void FaceIndex::consider(std::uint32_t number, Search& search) const
@@ -119,24 +152,14 @@ void FaceIndex::consider(std::uint32_t number, Search& search) const
     if (mMesh.isGone(face) || std::find(search.except.begin(), search.except.end(), number) != search.except.end())
         return;
     const Corners corners = mMesh.cornersOf(face);
-    if (boxIsFarther(search.point, corners, search.squaredDistance))
-        return;
+    const double height = dot(CollapseMesh::normalOf(face), search.point - corners[0]);
+    if (height * height > search.squaredDistance)
+        return; // its plane is farther already
     const double squared = closestPointOnTriangle(search.point, corners).squaredDistance;
-    if (squared < search.squaredDistance || (squared == search.squaredDistance && number < search.face)) {
+    if (squared < search.squaredDistance) {
         search.squaredDistance = squared;
         search.face = number;
     }
-}
-
-double FaceIndex::squaredDistance(const Node& node, const Vec3& point)
-{
-    const double coordinate[3] = {point.x, point.y, point.z};
-    double sum = 0.0;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double gap = std::max({node.low[axis] - coordinate[axis], coordinate[axis] - node.high[axis], 0.0});
-        sum += gap * gap;
-    }
-    return sum;
 }
 
 } // namespace lodsmith

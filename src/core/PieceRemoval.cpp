@@ -7,16 +7,15 @@ namespace lodsmith {
 
 namespace {
 
+constexpr std::uint32_t kMaxFaces = 8, kMaxCorners = 3 * kMaxFaces; // of a piece that counts as small
 constexpr double kNearEnough = 0.25; // of the piece's radius: a nearer face would hardly cost less
 
 } // namespace
 
-bool PieceRemoval::find(std::uint32_t vertex)
+bool PieceRemoval::find(const OneRing& ring)
 {
-    if (!collect(vertex) || mFaces.size() == mMesh.liveFaces)
+    if (!collect(ring) || mFaces.size() == mMesh.liveFaces)
         return false;
-    if (mVertices.size() == 3 && vertex != *std::min_element(mVertices.begin(), mVertices.end()))
-        return false; // the three know of each other, and one is enough
     Vec3 centre;
     for (std::uint32_t v : mVertices)
         centre += mMesh.position(v) * (1.0 / static_cast<double>(mVertices.size()));
@@ -53,36 +52,42 @@ void PieceRemoval::remove()
         mMesh.removeFace(face);
 }
 
-/// Everything that hangs together with the vertex. False when that is too much.
-bool PieceRemoval::collect(std::uint32_t vertex)
+/// Everything that hangs together with the ring. False when that is too much, which the number of corners tells early.
+bool PieceRemoval::collect(const OneRing& ring)
 {
     mFaces.clear();
-    mVertices.assign(1, vertex);
-    std::size_t done = 0; // the list grows meanwhile
-    while (done < mVertices.size())
-        if (!addVertex(mVertices[done++]))
-            return false;
-    return true;
+    mVertices.assign(1, ring.vertex);
+    std::uint32_t corners = ring.faceCount;
+    for (std::uint32_t i = 0; i < ring.faceCount; ++i)
+        mFaces.push_back(ring.faces[i].face);
+    for (std::uint32_t i = 0; i < ring.neighbourCount; ++i)
+        corners += add(ring.neighbours[i].vertex);
+    for (std::size_t done = 1; done < mVertices.size() && corners <= kMaxCorners; ++done) // the list grows meanwhile
+        corners += addNeighbours(mVertices[done]);
+    return corners <= kMaxCorners;
 }
 
-bool PieceRemoval::addVertex(std::uint32_t vertex)
+/// Tells how many corners that adds.
+std::uint32_t PieceRemoval::add(std::uint32_t vertex)
 {
-    const std::uint32_t count = mMesh.vertices[vertex].liveFaces;
-    if (count > kMaxFaces)
-        return false;
+    mVertices.push_back(vertex);
+    return mMesh.vertices[vertex].liveFaces;
+}
+
+std::uint32_t PieceRemoval::addNeighbours(std::uint32_t vertex)
+{
+    std::uint32_t corners = 0;
     mMesh.compactFaceList(vertex);
-    for (std::uint32_t i = 0; i < count; ++i) {
+    for (std::uint32_t i = 0; i < mMesh.vertices[vertex].liveFaces; ++i) {
         const std::uint32_t face = mMesh.faceList(vertex)[i];
         if (std::find(mFaces.begin(), mFaces.end(), face) != mFaces.end())
             continue;
-        if (mFaces.size() == kMaxFaces)
-            return false;
         mFaces.push_back(face);
         for (std::uint32_t wedge : mMesh.faces[face].wedge)
             if (!isInPiece(mMesh.vertexOf(wedge)))
-                mVertices.push_back(mMesh.vertexOf(wedge));
+                corners += add(mMesh.vertexOf(wedge));
     }
-    return true;
+    return corners;
 }
 
 bool PieceRemoval::isInPiece(std::uint32_t vertex) const

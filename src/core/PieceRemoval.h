@@ -2,6 +2,7 @@
 
 #include "CollapseMesh.h"
 #include "FaceIndex.h"
+#include "OneRing.h"
 
 #include <vector>
 
@@ -14,15 +15,14 @@ namespace lodsmith {
 /// its vertices is (the distance to a triangle is a convex function), which bounds what is lost.
 class PieceRemoval {
 public:
-    static constexpr std::uint32_t kMaxFaces = 8; ///< of a piece that counts as small
-
     explicit PieceRemoval(CollapseMesh& mesh) : mMesh(mesh), mIndex(mesh) {}
 
-    /// Looks at the piece that a vertex belongs to. False when it is not small, or when it is all that is left.
-    bool find(std::uint32_t vertex);
+    /// Looks at the piece that a ring belongs to. False when it has more than 8 faces, or when it is all that is left.
+    bool find(const OneRing& ring);
 
     /// What find() has found, until the mesh changes. Scaled units.
     const std::vector<std::uint32_t>& vertices() const { return mVertices; }
+    const std::vector<std::uint32_t>& faces() const { return mFaces; }
     double area() const { return mArea; }
     double distance() const { return mDistance; }   ///< of its vertices from what stays, root mean square
     double deviation() const { return mDeviation; } ///< bound on the distance of the original surface from what stays
@@ -31,8 +31,9 @@ public:
     void remove();
 
 private:
-    bool collect(std::uint32_t vertex);
-    bool addVertex(std::uint32_t vertex);
+    bool collect(const OneRing& ring);
+    std::uint32_t add(std::uint32_t vertex);
+    std::uint32_t addNeighbours(std::uint32_t vertex);
     bool isInPiece(std::uint32_t vertex) const;
     void measure();
 

@@ -142,22 +142,47 @@ bool Simplifier::isLoneTriangle() const
            && mMesh.vertices[mRing.neighbours[1].vertex].liveFaces == 1;
 }
 
+/// Whether the piece has its place in the queue already, as an entry of another vertex.
+bool Simplifier::neighbourStandsForPiece() const
+{
+    return std::any_of(mRing.neighbours, mRing.neighbours + mRing.neighbourCount, [this](const auto& neighbour) {
+        return mState[neighbour.vertex] == kQueued && mTarget[neighbour.vertex] == neighbour.vertex;
+    });
+}
+
+bool Simplifier::isPieceLocked() const
+{
+    return std::any_of(mPieces.vertices().begin(), mPieces.vertices().end(),
+                       [this](std::uint32_t vertex) { return mState[vertex] & kLocked; });
+}
+
+double Simplifier::importanceOfPiece() const
+{
+    float largest = 0.0f;
+    if (!mMesh.importance.empty())
+        for (std::uint32_t vertex : mPieces.vertices())
+            largest = std::max(largest, mMesh.importance[vertex]);
+    return largest;
+}
+
+/// How many collapses take as much away as the piece that was found: vertices, or pairs of triangles.
+double Simplifier::collapsesSaved(const CollapseLimits& limits) const
+{
+    return limits.triangles != 0 ? 0.5 * static_cast<double>(mPieces.faces().size())
+                                 : static_cast<double>(mPieces.vertices().size());
+}
+
 /// What no collapse can make smaller may vanish as a whole. Such an entry of the queue has its own vertex for a target.
 void Simplifier::removePiece(const CollapseLimits& limits)
 {
     const std::uint32_t v = mRing.vertex;
-    double importance = 0.0;
-    bool mayVanish = mPieces.find(v);
-    for (std::uint32_t vertex : mPieces.vertices()) {
-        mayVanish = mayVanish && !(mState[vertex] & kLocked);
-        importance = std::max<double>(importance, mMesh.importance.empty() ? 0.0 : mMesh.importance[vertex]);
-    }
-    if (!mayVanish) {
+    if (neighbourStandsForPiece() || !mPieces.find(mRing) || isPieceLocked()) {
         stall(v);
         return;
     }
-    const double length = mPieces.distance() / (1.0 - importance);
-    const float cost = mCost->costOf(length, mPieces.area());
+    const double length = mPieces.distance() / (1.0 - importanceOfPiece());
+    // It is compared with single collapses, so each that it saves bears its share.
+    const float cost = mCost->costOf(length, mPieces.area() / collapsesSaved(limits));
     if (mPieces.deviation() > limits.deviation || length > limits.length) {
         mHeldByLimit = true;
         stall(v);

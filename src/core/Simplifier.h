@@ -81,6 +81,10 @@ private:
         enqueue(mRing.vertex, mRing.neighbours[candidate.neighbour].vertex, candidate.cost);
     }
     bool isLoneTriangle() const;
+    bool neighbourStandsForPiece() const;
+    bool isPieceLocked() const;
+    double importanceOfPiece() const;
+    double collapsesSaved(const CollapseLimits& limits) const;
     void removePiece(const CollapseLimits& limits);
     Candidate evaluated();
     bool allowed(const CollapseLimits& limits, const Candidate& candidate);

@@ -1,9 +1,12 @@
+#include "ClosestPoint.h"
 #include "support/CheckedSimplify.h"
 #include "support/MeshBuilders.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lodsmith {
 
@@ -28,6 +31,33 @@ TestMesh gridWithTriangles(const std::vector<double>& heights, double size = 0.0
     return mesh;
 }
 
+/// Leaf cards with a back, split the other way: no collapse makes one smaller.
+TestMesh makeClosedCards(std::uint32_t count)
+{
+    TestMesh mesh = makeLeafCards(count);
+    for (std::uint32_t first = 0; first < 4 * count; first += 4)
+        mesh.subMeshes[0].addQuad(first + 3, first + 2, first + 1, first);
+    return mesh;
+}
+
+Vec3 positionOf(const TestMesh& mesh, std::uint32_t vertex)
+{
+    const float* p = &mesh.buffers[0].positions[std::size_t{3} * vertex];
+    return {double(p[0]), double(p[1]), double(p[2])};
+}
+
+double distanceToSurface(const Vec3& point, const TestMesh& mesh)
+{
+    double least = std::numeric_limits<double>::infinity();
+    const std::vector<std::uint32_t>& indices = mesh.subMeshes[0].indices;
+    for (std::size_t i = 0; i < indices.size(); i += 3) {
+        const Corners corners{positionOf(mesh, indices[i]), positionOf(mesh, indices[i + 1]),
+                              positionOf(mesh, indices[i + 2])};
+        least = std::min(least, closestPointOnTriangle(point, corners).squaredDistance);
+    }
+    return std::sqrt(least);
+}
+
 bool isThere(const LodChainLevel& level, std::size_t subMesh)
 {
     return !level.indices[subMesh].empty();
@@ -35,7 +65,7 @@ bool isThere(const LodChainLevel& level, std::size_t subMesh)
 
 TEST(Piece, ManyPiecesReachEveryTarget)
 {
-    for (const TestMesh& mesh : {makeSoup(100), makeIslands(40), makeLeafCards(100)}) {
+    for (const TestMesh& mesh : {makeSoup(100), makeIslands(40), makeLeafCards(100), makeClosedCards(100)}) {
         const LodChain chain = simplifyChecked(
             mesh.view(), {removedShare(0.5), removedShare(0.75), removedShare(0.875), removedShare(0.9375)});
         for (const LodChainLevel& level : chain.levels)
@@ -46,7 +76,7 @@ TEST(Piece, ManyPiecesReachEveryTarget)
 
 TEST(Piece, TheLastOneStays)
 {
-    for (const TestMesh& mesh : {makeSoup(10), makeIslands(3), makeLeafCards(5)}) {
+    for (const TestMesh& mesh : {makeSoup(10), makeIslands(3), makeLeafCards(5), makeClosedCards(5)}) {
         const LodChain chain = simplifyChecked(mesh.view(), {removedShare(1.0)});
         EXPECT_EQ(chain.levels[0].stop, StopReason::Topology);
         EXPECT_GE(chain.levels[0].triangles, 1u);
@@ -91,6 +121,54 @@ TEST(Piece, TheDistanceToWhatStaysIsItsCost)
         EXPECT_TRUE(isThere(chain.levels[0], 1));
         EXPECT_FALSE(isThere(chain.levels[1], 1));
     }
+}
+
+TEST(Piece, IsLeftToTheNearestFace)
+{
+    TestMesh soup = makeSoup(500);
+    soup.buffers[0].importance.assign(soup.buffers[0].vertexCount(), 1.0f); // stays as it is
+    TestRandom random(7);
+    for (int i = 0; i < 40; ++i) {
+        const Vec3 at{random.uniform(-0.5, 1.5), random.uniform(-0.5, 1.5), random.uniform(-0.5, 1.5)};
+        const double distance = distanceToSurface(at, soup), size = 1e-3 * distance;
+        TestMesh speck;
+        speck.buffers.resize(1);
+        speck.subMeshes.resize(1);
+        TestBuffer& buffer = speck.buffers[0];
+        speck.subMeshes[0].addTriangle(buffer.addPosition(at.x, at.y, at.z),
+                                       buffer.addPosition(at.x + size, at.y, at.z),
+                                       buffer.addPosition(at.x, at.y + size, at.z));
+        const TestMesh mesh = joined(soup, speck);
+        const LodChain chain =
+            simplifyChecked(mesh.view(), {greatestDeviation(0.99 * distance), greatestDeviation(1.01 * distance)});
+        EXPECT_TRUE(chain.levels[0].skipped) << distance;
+        ASSERT_FALSE(chain.levels[1].skipped) << distance;
+        EXPECT_FALSE(isThere(chain.levels[1], 1)) << distance;
+    }
+}
+
+TEST(Piece, CostsLessThatSavesMore)
+{
+    // Beside the grid, which comes down to two triangles: one triangle, and a closed card whose two sides, of a tenth more
+    // area each and equally high, cost 2.2 times as much. It has 4/3 of the vertices, but 4 times the triangles.
+    TestMesh mesh = gridWithTriangles({0.1});
+    TestMesh card;
+    card.buffers.resize(1);
+    card.subMeshes.resize(1);
+    const double side = 0.02 * std::sqrt(0.55);
+    TestBuffer& buffer = card.buffers[0];
+    const std::uint32_t a = buffer.addPosition(0.7, 0.7, 0.1), b = buffer.addPosition(0.7 + side, 0.7, 0.1),
+                        c = buffer.addPosition(0.7 + side, 0.7 + side, 0.1),
+                        d = buffer.addPosition(0.7, 0.7 + side, 0.1);
+    card.subMeshes[0].addQuad(a, b, c, d);
+    card.subMeshes[0].addQuad(d, c, b, a);
+    mesh = joined(mesh, card);
+    const LodChain byVertices = simplifyChecked(mesh.view(), {removedVertices(9 * 9 - 4 + 1)});
+    EXPECT_FALSE(isThere(byVertices.levels[0], 1));
+    EXPECT_TRUE(isThere(byVertices.levels[0], 2));
+    const LodChain byTriangles = simplifyChecked(mesh.view(), {keptTriangles(2 + 1 + 4 - 1)});
+    EXPECT_TRUE(isThere(byTriangles.levels[0], 1));
+    EXPECT_FALSE(isThere(byTriangles.levels[0], 2));
 }
 
 TEST(Piece, ImportanceDelays)
