@@ -85,6 +85,7 @@ void CollapseMesh::prefetchNeighbours(std::uint32_t vertex) const
         const int next = vertexOf(face.wedge[0]) == vertex ? 1 : vertexOf(face.wedge[1]) == vertex ? 2 : 0;
         prefetch(&vertices[vertexOf(face.wedge[next])]);
         prefetch(attributesOf(face.wedge[next]));
+        prefetch(&mMeanNormals[vertexOf(face.wedge[next])]);
     }
 }
 

@@ -14,7 +14,7 @@ constexpr std::uint32_t kCacheSize = 8192; // vertices of a mesh that fits the s
 
 Simplifier::Simplifier(CollapseMesh& mesh, std::unique_ptr<CollapseCost> cost, const VertexLocks& locks)
     : mMesh(mesh), mCost(std::move(cost)), mCheck(mesh), mPieces(mesh), mState(mesh.vertexCount(), 0),
-      mKey(mesh.vertexCount(), 0.0f), mTarget(mesh.vertexCount(), kNone)
+      mEntries(mesh.vertexCount())
 {
     for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v)
         if (mesh.isAlive(v))
@@ -43,7 +43,7 @@ void Simplifier::stall(std::uint32_t vertex)
 
 void Simplifier::enqueue(std::uint32_t vertex, std::uint32_t target, float cost)
 {
-    mTarget[vertex] = target;
+    mEntries[vertex].target = target;
     mState[vertex] = 0;
     insert(vertex, cost);
 }
@@ -52,7 +52,7 @@ void Simplifier::enqueue(std::uint32_t vertex, std::uint32_t target, float cost)
 void Simplifier::insert(std::uint32_t vertex, float cost)
 {
     mState[vertex] |= kQueued;
-    mKey[vertex] = cost;
+    mEntries[vertex].cost = cost;
     mQueue.insert(cost, vertex);
 }
 
@@ -81,8 +81,10 @@ void Simplifier::prefetchAhead() const
     if (mMesh.vertexCount() < kCacheSize)
         return;
     std::uint32_t v;
-    if (mQueue.expected(11, v))
+    if (mQueue.expected(11, v)) {
         mMesh.prefetchVertex(v);
+        prefetch(&mEntries[v]);
+    }
     if (mQueue.expected(8, v))
         mMesh.prefetchFaceList(v);
     if (mQueue.expected(5, v))
@@ -97,7 +99,7 @@ void Simplifier::advance(const CollapseLimits& limits)
     const CostMultiset::Entry front = mQueue.pop();
     prefetchAhead();
     const std::uint32_t v = front.vertex;
-    if (!(mState[v] & kQueued) || mKey[v] != front.cost || !mMesh.isAlive(v))
+    if (!(mState[v] & kQueued) || mEntries[v].cost != front.cost || !mMesh.isAlive(v))
         return;
     mState[v] &= static_cast<std::uint8_t>(~kQueued);
     mFrontCost = front.cost;
@@ -106,11 +108,11 @@ void Simplifier::advance(const CollapseLimits& limits)
         return;
     }
     const bool stale = mState[v] & kStale;
-    if ((!stale && mTarget[v] == v) || isLoneTriangle()) {
+    if ((!stale && mEntries[v].target == v) || isLoneTriangle()) {
         removePiece(limits);
         return;
     }
-    Candidate candidate = stale ? evaluated() : Candidate{static_cast<int>(mRing.find(mMesh, mTarget[v])), front.cost};
+    Candidate candidate = stale ? evaluated() : Candidate{static_cast<int>(mRing.find(mMesh, mEntries[v].target)), front.cost};
     if (stale && candidate.neighbour >= 0 && !isFront(candidate.cost)) {
         enqueue(candidate);
         return;
@@ -146,7 +148,7 @@ bool Simplifier::isLoneTriangle() const
 bool Simplifier::neighbourStandsForPiece() const
 {
     return std::any_of(mRing.neighbours, mRing.neighbours + mRing.neighbourCount, [this](const auto& neighbour) {
-        return mState[neighbour.vertex] == kQueued && mTarget[neighbour.vertex] == neighbour.vertex;
+        return mState[neighbour.vertex] == kQueued && mEntries[neighbour.vertex].target == neighbour.vertex;
     });
 }
 

@@ -68,6 +68,11 @@ private:
         kHeldBack = 16, ///< a cheaper collapse than that of its entry was forbidden when last looked at
     };
 
+    struct QueueEntry {
+        float cost = 0.0f;            ///< an entry with another cost counts no more
+        std::uint32_t target = kNone; ///< of the cheapest collapse, as last evaluated; itself when its piece is to vanish
+    };
+
     void prepare(std::uint32_t vertex, const VertexLocks& locks);
     bool reached(const CollapseLimits& limits) const;
     void requeueStalled();
@@ -107,9 +112,7 @@ private:
     OneRing mRing;
     WedgeMap mWedges;
     std::vector<std::uint8_t> mState;
-    std::vector<float> mKey; ///< cost of each vertex's entry in the queue
-    std::vector<std::uint32_t>
-        mTarget; ///< destination of each vertex's cheapest collapse, as last evaluated; itself when its piece is to vanish
+    std::vector<QueueEntry> mEntries; ///< of each vertex
     std::vector<std::uint32_t> mStalled;
     float mFrontCost = 0.0f; ///< of the entry looked at last
     double mLength = 0.0;    ///< the candidate's cost as a length
