@@ -71,8 +71,19 @@ void Simplifier::requeueStalled()
         if (!(mState[v] & kStalled) || !mMesh.isAlive(v))
             continue;
         mState[v] = kStale;
-        insert(v, mFrontCost);
+        insert(v, 0.0f);
     }
+}
+
+/// What is left are pieces larger than what is to be taken away: it may be one of them, then.
+bool Simplifier::mayOvershoot()
+{
+    if (!mHeldBySize)
+        return false;
+    requeueStalled();
+    mHeldBySize = false;
+    mMayOvershoot = true;
+    return true;
 }
 
 /// The queue jumps about in the mesh: each step asks for what the next ones will read, one link of the chain at a time.
@@ -174,6 +185,12 @@ double Simplifier::collapsesSaved(const CollapseLimits& limits) const
                                  : static_cast<double>(mPieces.vertices().size());
 }
 
+bool Simplifier::overshoots(const CollapseLimits& limits) const
+{
+    return mMesh.liveVertices < limits.vertices + mPieces.vertices().size()
+           || mMesh.liveFaces < limits.triangles + mPieces.faces().size();
+}
+
 /// What no collapse can make smaller may vanish as a whole. Such an entry of the queue has its own vertex for a target.
 void Simplifier::removePiece(const CollapseLimits& limits)
 {
@@ -190,6 +207,9 @@ void Simplifier::removePiece(const CollapseLimits& limits)
         stall(v);
     } else if (!isFront(cost)) {
         enqueue(v, v, cost);
+    } else if (overshoots(limits) && !mMayOvershoot) {
+        mHeldBySize = true;
+        stall(v);
     } else {
         mPieces.remove();
         mLargestDeviation = std::max(mLargestDeviation, mPieces.deviation());

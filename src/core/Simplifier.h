@@ -43,13 +43,13 @@ public:
     template <class Step>
     StopReason run(const CollapseLimits& limits, Step&& step)
     {
-        if (mHeldByLimit)
+        if (mHeldByLimit || mHeldBySize)
             requeueStalled();
-        mHeldByLimit = false;
+        mHeldByLimit = mHeldBySize = mMayOvershoot = false;
         for (std::uint32_t steps = 0; !reached(limits); ++steps) {
             if (steps % 1024 == 0 && !step())
                 break;
-            if (mQueue.empty())
+            if (mQueue.empty() && !mayOvershoot())
                 break;
             advance(limits);
         }
@@ -76,6 +76,8 @@ private:
     void prepare(std::uint32_t vertex, const VertexLocks& locks);
     bool reached(const CollapseLimits& limits) const;
     void requeueStalled();
+    bool mayOvershoot();
+    bool overshoots(const CollapseLimits& limits) const;
     void advance(const CollapseLimits& limits);
     void prefetchAhead() const;
     void stall(std::uint32_t vertex);
@@ -118,7 +120,9 @@ private:
     double mLength = 0.0;    ///< the candidate's cost as a length
     double mLargestDeviation = 0.0;
     double mLargestLength = 0.0;
-    bool mHeldByLimit = false; ///< some collapse was refused by this run's limits alone
+    bool mHeldByLimit = false;  ///< some collapse was refused by this run's limits alone
+    bool mHeldBySize = false;   ///< some piece was larger than what is left to take away
+    bool mMayOvershoot = false; ///< ... and is taken all the same, as nothing else can be
 };
 
 } // namespace lodsmith

@@ -14,20 +14,23 @@ namespace {
 
 using namespace test;
 
+TestMesh makeTriangle(double x, double y, double z, double size)
+{
+    TestMesh triangle;
+    triangle.buffers.resize(1);
+    triangle.subMeshes.resize(1);
+    TestBuffer& buffer = triangle.buffers[0];
+    triangle.subMeshes[0].addTriangle(buffer.addPosition(x, y, z), buffer.addPosition(x + size, y, z),
+                                      buffer.addPosition(x, y + size, z));
+    return triangle;
+}
+
 /// A flat grid with single triangles hovering over it, `height` above, each in a submesh of its own.
 TestMesh gridWithTriangles(const std::vector<double>& heights, double size = 0.02)
 {
     TestMesh mesh = makeGrid(8, 8);
-    for (const double height : heights) {
-        TestMesh triangle;
-        triangle.buffers.resize(1);
-        triangle.subMeshes.resize(1);
-        TestBuffer& buffer = triangle.buffers[0];
-        triangle.subMeshes[0].addTriangle(buffer.addPosition(0.4, 0.4, height),
-                                          buffer.addPosition(0.4 + size, 0.4, height),
-                                          buffer.addPosition(0.4, 0.4 + size, height));
-        mesh = joined(mesh, triangle);
-    }
+    for (const double height : heights)
+        mesh = joined(mesh, makeTriangle(0.4, 0.4, height, size));
     return mesh;
 }
 
@@ -147,26 +150,47 @@ TEST(Piece, IsLeftToTheNearestFace)
     }
 }
 
+TEST(Piece, IsNotTakenForASingleVertex)
+{
+    TestMesh mesh = makeGrid(8, 8);
+    for (std::size_t i = 0; i < 81; ++i) // bumps, so that the piece is the cheapest of all
+        mesh.buffers[0].positions[3 * i + 2] = 0.1f * static_cast<float>(i * 7 % 13);
+    const Vec3 tip = positionOf(mesh, 40);
+    mesh = joined(mesh, makeTriangle(tip.x, tip.y, tip.z + 1e-4, 1e-3));
+    const LodChain chain = simplifyChecked(mesh.view(), {removedVertices(1), removedVertices(4)});
+    EXPECT_EQ(chain.levels[0].vertices, chain.vertices - 1);
+    EXPECT_TRUE(isThere(chain.levels[0], 1));
+    EXPECT_EQ(chain.levels[1].vertices, chain.vertices - 4) << "three at once, since the target is far enough now";
+    EXPECT_FALSE(isThere(chain.levels[1], 1));
+}
+
+TEST(Piece, IsTakenForASingleVertexWhereNothingElseCanGo)
+{
+    const TestMesh mesh = makeClosedCards(3);
+    const LodChain chain = simplifyChecked(mesh.view(), {removedVertices(1)});
+    EXPECT_EQ(chain.levels.at(0).vertices, chain.vertices - 4);
+    EXPECT_EQ(chain.levels.at(0).stop, StopReason::TargetReached);
+}
+
 TEST(Piece, CostsLessThatSavesMore)
 {
-    // Beside the grid, which comes down to two triangles: one triangle, and a closed card whose two sides, of a tenth more
-    // area each and equally high, cost 2.2 times as much. It has 4/3 of the vertices, but 4 times the triangles.
+    // Beside the grid, which comes down to two triangles: one triangle, and one with a back, equally high, whose two sides
+    // together have a tenth more area. It saves as many vertices, but twice the triangles.
     TestMesh mesh = gridWithTriangles({0.1});
-    TestMesh card;
-    card.buffers.resize(1);
-    card.subMeshes.resize(1);
+    TestMesh closed;
+    closed.buffers.resize(1);
+    closed.subMeshes.resize(1);
     const double side = 0.02 * std::sqrt(0.55);
-    TestBuffer& buffer = card.buffers[0];
+    TestBuffer& buffer = closed.buffers[0];
     const std::uint32_t a = buffer.addPosition(0.7, 0.7, 0.1), b = buffer.addPosition(0.7 + side, 0.7, 0.1),
-                        c = buffer.addPosition(0.7 + side, 0.7 + side, 0.1),
-                        d = buffer.addPosition(0.7, 0.7 + side, 0.1);
-    card.subMeshes[0].addQuad(a, b, c, d);
-    card.subMeshes[0].addQuad(d, c, b, a);
-    mesh = joined(mesh, card);
-    const LodChain byVertices = simplifyChecked(mesh.view(), {removedVertices(9 * 9 - 4 + 1)});
+                        c = buffer.addPosition(0.7, 0.7 + side, 0.1);
+    closed.subMeshes[0].addTriangle(a, b, c);
+    closed.subMeshes[0].addTriangle(c, b, a);
+    mesh = joined(mesh, closed);
+    const LodChain byVertices = simplifyChecked(mesh.view(), {removedVertices(9 * 9 - 4 + 3)});
     EXPECT_FALSE(isThere(byVertices.levels[0], 1));
     EXPECT_TRUE(isThere(byVertices.levels[0], 2));
-    const LodChain byTriangles = simplifyChecked(mesh.view(), {keptTriangles(2 + 1 + 4 - 1)});
+    const LodChain byTriangles = simplifyChecked(mesh.view(), {keptTriangles(2 + 1)});
     EXPECT_TRUE(isThere(byTriangles.levels[0], 1));
     EXPECT_FALSE(isThere(byTriangles.levels[0], 2));
 }
