@@ -3,6 +3,7 @@
 # LodsmithConfig.cmake.in finds the same packages for users of an installed Lodsmith.
 
 find_package(embree 3 CONFIG QUIET REQUIRED GLOBAL)
+find_package(tinyxml2 CONFIG QUIET REQUIRED GLOBAL)
 if(LODSMITH_OGRE)
     find_package(meshoptimizer CONFIG QUIET REQUIRED GLOBAL)
     find_package(OGRE CONFIG QUIET REQUIRED GLOBAL)

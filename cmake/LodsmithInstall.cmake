@@ -37,6 +37,9 @@ endfunction()
 lodsmith_install_library(lodsmith_core core PC lodsmith-core)
 lodsmith_install_library(lodsmith_analysis analysis
     PC lodsmith-analysis REQUIRES lodsmith-core LIBS_PRIVATE -lembree3)
+lodsmith_install_library(lodsmith_loddef loddef
+    PC lodsmith-loddef REQUIRES lodsmith-core LIBS_PRIVATE -ltinyxml2)
+install(FILES ${PROJECT_SOURCE_DIR}/docs/loddef.xsd DESTINATION ${CMAKE_INSTALL_DATADIR}/lodsmith)
 if(LODSMITH_OGRE)
     lodsmith_install_library(lodsmith ogre
         PC lodsmith REQUIRES "lodsmith-core OGRE" LIBS_PRIVATE -lmeshoptimizer)

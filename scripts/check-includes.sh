@@ -24,11 +24,13 @@ check() {
         esac
         say "$file:$line: $room may not include $name"
         status=1
-    done < <(grep -rnoE --include='*.h' --include='*.cpp' '^ *#include *[<"][^>"]+[>"]' \
-        "include/lodsmith/$room" "src/$room" | sed -E 's/#include *//; s/: +/:/')
+    done < <(find "include/lodsmith/$room" "src/$room" \( -name '*.h' -o -name '*.cpp' \) -print0 2>/dev/null \
+        | xargs -0 grep -HnoE '^ *#include *[<"][^>"]+[>"]' | sed -E 's/#include *//; s/: +/:/')
 }
 
 check core core 'boost/.*'
 check analysis 'core|analysis' 'boost/.*|embree3/.*'
+check files 'core|files' 'fcntl\.h|unistd\.h|sys/[a-z]+\.h'
+check loddef 'core|files|loddef' 'tinyxml2\.h'
 check ogre 'core|analysis|ogre' 'Ogre[A-Za-z]*\.h|meshoptimizer\.h'
 exit "$status"

@@ -1,6 +1,6 @@
 #include "BatchRunner.h"
 
-#include "AtomicFile.h"
+#include "../files/AtomicFile.h"
 
 #include <algorithm>
 #include <csignal>

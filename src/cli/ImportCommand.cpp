@@ -39,7 +39,7 @@ fs::path outputOf(const ImportArguments& arguments)
 
 Result<Json> importFile(const ImportArguments& arguments, const fs::path& output)
 {
-    if (auto allowed = AtomicFile::checkTarget(output, arguments.write.existing); !allowed)
+    if (auto allowed = checkOutput(output, arguments.write.existing); !allowed)
         return allowed.error();
     OgreSession session;
     const Ogre::MeshPtr mesh = session.create(output.filename().string());

@@ -1,6 +1,6 @@
 #include "Inspection.h"
 
-#include "AtomicFile.h"
+#include "../files/AtomicFile.h"
 #include "MeshFile.h"
 #include "MeshHeader.h"
 #include "OgreSession.h"

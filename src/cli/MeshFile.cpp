@@ -85,6 +85,15 @@ bool hasContent(const fs::path& path, const std::string& content)
     return present && present.value() == content;
 }
 
+Error withHint(Error error, const fs::path& target, Existing existing)
+{
+    std::error_code ignored;
+    if (existing == Existing::Keep && fs::exists(fs::symlink_status(target, ignored))
+        && AtomicFile::checkTarget(target, Existing::Replace))
+        error.message += "; --force overwrites it";
+    return error;
+}
+
 Result<Copy> prepareCopy(const Companion& companion, const fs::path& target, Existing existing)
 {
     Result<std::string> content = readFile(companion.source);
@@ -94,7 +103,7 @@ Result<Copy> prepareCopy(const Companion& companion, const fs::path& target, Exi
     if (!hasContent(target, copy.content)) {
         copy.file = std::make_unique<AtomicFile>(target, existing);
         if (auto prepared = copy.file->prepare(copy.content); !prepared)
-            return prepared.error();
+            return withHint(prepared.error(), target, existing);
     }
     return copy;
 }
@@ -172,6 +181,12 @@ std::vector<Companion> findSkeleton(const Ogre::Mesh& mesh, const fs::path& mesh
     return {};
 }
 
+Result<Done> checkOutput(const fs::path& target, Existing existing)
+{
+    const Result<Done> allowed = AtomicFile::checkTarget(target, existing);
+    return allowed ? allowed : withHint(allowed.error(), target, existing);
+}
+
 Result<Done> writeMeshFiles(const fs::path& target, const std::string& bytes, const std::vector<Companion>& companions,
                             Existing existing)
 {
@@ -185,7 +200,7 @@ Result<Done> writeMeshFiles(const fs::path& target, const std::string& bytes, co
     }
     AtomicFile mesh(target, existing);
     if (auto prepared = mesh.prepare(bytes); !prepared)
-        return prepared.error();
+        return withHint(prepared.error(), target, existing);
 
     for (const Copy& copy : copies)
         if (auto committed = commitCopy(copy); !committed)

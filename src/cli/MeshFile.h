@@ -1,6 +1,6 @@
 #pragma once
 
-#include "AtomicFile.h"
+#include "../files/AtomicFile.h"
 
 #include <lodsmith/core/Result.h>
 
@@ -41,6 +41,9 @@ struct Companion {
 /// The skeleton file that a mesh loaded from `meshPath` names, if it lies beside it; otherwise a sentence in `notes`.
 std::vector<Companion> findSkeleton(const Ogre::Mesh& mesh, const std::filesystem::path& meshPath,
                                     std::vector<std::string>& notes);
+
+/// AtomicFile::checkTarget(), whose error says so when --force would help.
+Result<Done> checkOutput(const std::filesystem::path& target, Existing existing);
 
 /// Writes a mesh and copies its companions, all or nothing. A companion that is there already with the same content
 /// stays as it is, whatever `existing` says. Errors: Io, NotFound; file is the one that failed.

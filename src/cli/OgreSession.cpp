@@ -1,6 +1,6 @@
 #include "OgreSession.h"
 
-#include "AtomicFile.h"
+#include "../files/AtomicFile.h"
 #include "MeshHeader.h"
 #include "MeshStreams.h"
 

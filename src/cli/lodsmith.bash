@@ -6,7 +6,7 @@ _lodsmith() {
     COMPREPLY=()
 
     if ((COMP_CWORD == 1)); then
-        mapfile -t COMPREPLY < <(compgen -W "generate inspect measure import strip --help --version" -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W "generate inspect measure import strip validate --help --version" -- "$word")
         return
     fi
     case $before in
@@ -25,6 +25,7 @@ _lodsmith() {
         inspect) options="--json --time-limit --help" ;;
         measure) options="--against --samples --json --time-limit --help" ;;
         import | strip) options=$write ;;
+        validate) options="--json --help" ;;
         esac
     fi
     if [[ -n $options || $word == -* ]]; then
@@ -32,6 +33,7 @@ _lodsmith() {
         return
     fi
     [[ ${COMP_WORDS[1]} == import ]] && files="*"
+    [[ ${COMP_WORDS[1]} == validate ]] && files="*.loddef"
     compopt -o filenames 2>/dev/null
     mapfile -t COMPREPLY < <(compgen -d -- "$word"; compgen -f -X "!$files" -- "$word")
 }

@@ -28,6 +28,7 @@ int run(int argc, char** argv)
     lodsmith::cli::addMeasureCommand(app, exitCode);
     lodsmith::cli::addImportCommand(app, exitCode);
     lodsmith::cli::addStripCommand(app, exitCode);
+    lodsmith::cli::addValidateCommand(app, exitCode);
     try {
         app.parse(argc, argv);
         return exitCode;

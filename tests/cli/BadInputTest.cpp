@@ -14,10 +14,10 @@ namespace lodsmith::cli {
 
 namespace {
 
-using test::contentOf;
+using lodsmith::test::contentOf;
+using lodsmith::test::TestDirectory;
 using test::Outcome;
 using test::runLodsmith;
-using test::TestDirectory;
 using test::torusMesh;
 using testing::ElementsAre;
 using testing::HasSubstr;

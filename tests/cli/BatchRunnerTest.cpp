@@ -1,6 +1,6 @@
 #include "BatchRunner.h"
 
-#include "TestDirectory.h"
+#include "support/TestDirectory.h"
 
 #include <gmock/gmock.h>
 
@@ -128,7 +128,7 @@ TEST(BatchRunner, standardOutputOfAChildLeadsNowhere)
 
 TEST(BatchRunner, whatADeadChildLeftIsSwept)
 {
-    const test::TestDirectory directory;
+    const lodsmith::test::TestDirectory directory;
     BatchJob dying = job("a", [&](Progress&) -> Result<Json> {
         directory.write(".lodsmith-" + std::to_string(::getpid()) + "-0.tmp", "half");
         ::raise(SIGKILL);

@@ -1,6 +1,6 @@
 #include "CommandLine.h"
 
-#include "TestDirectory.h"
+#include "support/TestDirectory.h"
 
 #include <sstream>
 #include <stdexcept>
@@ -47,14 +47,15 @@ std::vector<nlohmann::json> Outcome::records() const
 
 Outcome runProgram(const std::vector<std::string>& command, unsigned long fileSizeLimit)
 {
-    const TestDirectory directory;
+    const lodsmith::test::TestDirectory directory;
     const std::string out = (directory / "out").string(), err = (directory / "err").string();
     const pid_t id = ::fork();
     if (id == 0)
         become(command, out, err, fileSizeLimit);
     int status = 0;
     ::waitpid(id, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(out), contentOf(err)};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, lodsmith::test::contentOf(out),
+            lodsmith::test::contentOf(err)};
 }
 
 Outcome runLodsmith(const std::vector<std::string>& arguments, unsigned long fileSizeLimit)

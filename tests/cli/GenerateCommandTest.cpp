@@ -15,11 +15,11 @@ namespace lodsmith::cli {
 
 namespace {
 
+using lodsmith::test::contentOf;
+using lodsmith::test::TestDirectory;
 using nlohmann::json;
-using test::contentOf;
 using test::Outcome;
 using test::runLodsmith;
-using test::TestDirectory;
 using test::torusMesh;
 using testing::ElementsAre;
 using testing::HasSubstr;

@@ -14,9 +14,9 @@ namespace lodsmith::cli {
 
 namespace {
 
+using lodsmith::test::TestDirectory;
 using test::Outcome;
 using test::runLodsmith;
-using test::TestDirectory;
 using testing::HasSubstr;
 
 /// Two nodes that show one triangle: moved by (10, 0, 0), and mirrored in x. The triangle faces +z.
@@ -111,7 +111,7 @@ TEST(ImportCommand, nothingIsOverwrittenWithoutForce)
     const std::string model = directory.write("torus.obj", test::torusObj(8));
     directory.write("torus.mesh", "precious");
     EXPECT_EQ(runLodsmith({"import", model}).exitCode, 1);
-    EXPECT_EQ(test::contentOf(directory / "torus.mesh"), "precious");
+    EXPECT_EQ(lodsmith::test::contentOf(directory / "torus.mesh"), "precious");
     EXPECT_EQ(runLodsmith({"import", model, "--force"}).exitCode, 0);
 }
 

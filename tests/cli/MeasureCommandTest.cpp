@@ -7,9 +7,9 @@ namespace lodsmith::cli {
 
 namespace {
 
+using lodsmith::test::TestDirectory;
 using test::Outcome;
 using test::runLodsmith;
-using test::TestDirectory;
 
 class MeasureCommandTest : public testing::Test {
 protected:

@@ -14,8 +14,8 @@ namespace lodsmith::cli {
 
 namespace {
 
-using test::contentOf;
-using test::TestDirectory;
+using lodsmith::test::contentOf;
+using lodsmith::test::TestDirectory;
 using test::torusMesh;
 using testing::ElementsAre;
 using testing::HasSubstr;

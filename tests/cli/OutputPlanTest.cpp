@@ -1,6 +1,6 @@
 #include "OutputPlan.h"
 
-#include "TestDirectory.h"
+#include "support/TestDirectory.h"
 
 #include <gmock/gmock.h>
 
@@ -10,7 +10,7 @@ namespace lodsmith::cli {
 
 namespace {
 
-using test::TestDirectory;
+using lodsmith::test::TestDirectory;
 using testing::ElementsAre;
 using testing::HasSubstr;
 

@@ -1,5 +1,5 @@
 #include "CommandLine.h"
-#include "TestDirectory.h"
+#include "support/TestDirectory.h"
 
 #include <gmock/gmock.h>
 
@@ -10,10 +10,10 @@ namespace lodsmith::cli {
 
 namespace {
 
-using test::contentOf;
+using lodsmith::test::contentOf;
 using test::runLodsmith;
 
-constexpr const char* kCommands[] = {"generate", "inspect", "measure", "import", "strip"};
+constexpr const char* kCommands[] = {"generate", "inspect", "measure", "import", "strip", "validate"};
 
 std::set<std::string> longOptions(const std::string& text)
 {
@@ -65,6 +65,7 @@ TEST(Pages, completionOffersWhatFitsTheWord)
     EXPECT_EQ(complete("lodsmith generate --metric ''"), "quadric curvature\n");
     EXPECT_EQ(complete("lodsmith generate x.mesh --lock-b"), "--lock-borders\n");
     EXPECT_EQ(complete("lodsmith strip --lev"), "\n");
+    EXPECT_EQ(complete("lodsmith validate --"), "--json --help\n");
 }
 
 } // namespace lodsmith::cli

@@ -35,7 +35,7 @@ std::string torusObj(unsigned segments)
 
 std::string torusMesh(unsigned segments, const std::string& skeleton)
 {
-    const TestDirectory directory;
+    const lodsmith::test::TestDirectory directory;
     const std::string model = directory.write("torus.obj", torusObj(segments));
     OgreSession session;
     const Ogre::MeshPtr mesh = session.create("torus");

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "TestDirectory.h"
+#include "support/TestDirectory.h"
 
 #include <string>
 

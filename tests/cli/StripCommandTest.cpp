@@ -7,9 +7,9 @@ namespace lodsmith::cli {
 
 namespace {
 
-using test::contentOf;
+using lodsmith::test::contentOf;
+using lodsmith::test::TestDirectory;
 using test::runLodsmith;
-using test::TestDirectory;
 
 } // namespace
 

@@ -7,9 +7,9 @@ namespace lodsmith::cli {
 
 namespace {
 
+using lodsmith::test::TestDirectory;
 using test::Outcome;
 using test::runLodsmith;
-using test::TestDirectory;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -25,7 +25,7 @@ TEST(Usage, helpOfEveryCommandHasAnExample)
 {
     const Outcome all = runLodsmith({"--help"});
     EXPECT_EQ(all.exitCode, 0);
-    for (const std::string command : {"generate", "inspect", "measure", "import", "strip"}) {
+    for (const std::string command : {"generate", "inspect", "measure", "import", "strip", "validate"}) {
         EXPECT_THAT(all.out, HasSubstr(command));
         const Outcome help = runLodsmith({command, "--help"});
         EXPECT_EQ(help.exitCode, 0);
@@ -54,7 +54,9 @@ TEST(Usage, commandLinesWithoutWhatIsNeededAreRefused)
                                                       {"inspect"},
                                                       {"inspect", "x.mesh", "y.mesh"},
                                                       {"measure"},
-                                                      {"import"}};
+                                                      {"import"},
+                                                      {"validate"},
+                                                      {"validate", "x.loddef", "-o", "y"}};
     for (const auto& line : lines) {
         const Outcome outcome = runLodsmith(line);
         EXPECT_EQ(outcome.exitCode, 2) << testing::PrintToString(line);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace lodsmith::cli::test {
+namespace lodsmith::test {
 
 /// An empty directory that is gone, with all that is in it, when the object is.
 class TestDirectory {
@@ -29,4 +29,4 @@ private:
 
 std::string contentOf(const std::filesystem::path& path);
 
-} // namespace lodsmith::cli::test
+} // namespace lodsmith::test

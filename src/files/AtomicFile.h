@@ -2,13 +2,14 @@
 
 #include <lodsmith/core/Result.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
 
 #include <sys/types.h>
 
-namespace lodsmith::cli {
+namespace lodsmith {
 
 /// What to do about a file that is already there.
 enum class Existing { Keep, Replace };
@@ -53,7 +54,8 @@ private:
     int mDescriptor = -1;
 };
 
-/// The whole content of a regular file of at most 4 GiB. Errors: NotFound, Io (also for a directory or a device).
-Result<std::string> readFile(const std::filesystem::path& path);
+/// The whole content of a regular file of at most `largest` bytes. Errors: NotFound, Io (also for a larger file, a
+/// directory or a device).
+Result<std::string> readFile(const std::filesystem::path& path, std::uintmax_t largest = 0xffffffff);
 
-} // namespace lodsmith::cli
+} // namespace lodsmith

@@ -9,7 +9,7 @@
 
 namespace fs = std::filesystem;
 
-namespace lodsmith::cli::test {
+namespace lodsmith::test {
 
 TestDirectory::TestDirectory()
 {
@@ -49,4 +49,4 @@ std::string contentOf(const fs::path& path)
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-} // namespace lodsmith::cli::test
+} // namespace lodsmith::test

@@ -10,14 +10,12 @@
 
 namespace fs = std::filesystem;
 
-namespace lodsmith::cli {
+namespace lodsmith {
 
 namespace {
 
 constexpr int kNameAttempts = 1000;
-constexpr const char* kIsThere = "is there already; --force overwrites it";
-// What a chunk length in OGRE's formats can say.
-constexpr off_t kLargestFile = 0xffffffff;
+constexpr const char* kIsThere = "is there already";
 
 std::string leftoverPrefix(pid_t writer)
 {
@@ -47,7 +45,12 @@ Error pathError(ErrorCode code, std::string message, const fs::path& path)
     return error;
 }
 
-Result<std::string> readAll(int descriptor, const fs::path& path, std::size_t expected)
+Error tooLarge(const fs::path& path, std::uintmax_t largest)
+{
+    return pathError(ErrorCode::Io, "is larger than " + std::to_string(largest) + " bytes", path);
+}
+
+Result<std::string> readAll(int descriptor, const fs::path& path, std::size_t expected, std::uintmax_t largest)
 {
     std::string bytes;
     bytes.reserve(expected);
@@ -60,6 +63,9 @@ Result<std::string> readAll(int descriptor, const fs::path& path, std::size_t ex
             bytes.append(block, static_cast<std::size_t>(count));
         else if (errno != EINTR)
             return pathError(ErrorCode::Io, std::string("cannot be read: ") + std::strerror(errno), path);
+        // The file may have grown since its size was asked for.
+        if (bytes.size() > largest)
+            return tooLarge(path, largest);
     }
 }
 
@@ -182,7 +188,7 @@ Error AtomicFile::failure(const std::string& what) const
     return pathError(ErrorCode::Io, what + ": " + std::strerror(errno), mTarget);
 }
 
-Result<std::string> readFile(const fs::path& path)
+Result<std::string> readFile(const fs::path& path, std::uintmax_t largest)
 {
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor < 0)
@@ -195,12 +201,12 @@ Result<std::string> readFile(const fs::path& path)
         content = pathError(ErrorCode::Io, std::string("cannot be read: ") + std::strerror(errno), path);
     else if (S_ISDIR(status.st_mode))
         content = pathError(ErrorCode::Io, "is a directory, not a file", path);
-    else if (status.st_size > kLargestFile)
-        content = pathError(ErrorCode::Io, "is larger than 4 GiB", path);
+    else if (static_cast<std::uintmax_t>(status.st_size) > largest)
+        content = tooLarge(path, largest);
     else if (S_ISREG(status.st_mode))
-        content = readAll(descriptor, path, static_cast<std::size_t>(status.st_size));
+        content = readAll(descriptor, path, static_cast<std::size_t>(status.st_size), largest);
     ::close(descriptor);
     return content;
 }
 
-} // namespace lodsmith::cli
+} // namespace lodsmith

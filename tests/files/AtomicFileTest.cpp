@@ -1,6 +1,6 @@
 #include "AtomicFile.h"
 
-#include "TestDirectory.h"
+#include "support/TestDirectory.h"
 
 #include <gmock/gmock.h>
 
@@ -13,7 +13,7 @@
 
 namespace fs = std::filesystem;
 
-namespace lodsmith::cli {
+namespace lodsmith {
 
 namespace {
 
@@ -144,4 +144,15 @@ TEST(ReadFile, namesWhatCannotBeRead)
     EXPECT_EQ(readFile(directory.write("file", std::string("a\0b", 3))).value(), std::string("a\0b", 3));
 }
 
-} // namespace lodsmith::cli
+TEST(ReadFile, refusesWhatIsLargerThanAsked)
+{
+    const TestDirectory directory;
+    const std::string file = directory.write("file", "12345");
+    EXPECT_EQ(readFile(file, 5).value(), "12345");
+    const Result<std::string> larger = readFile(file, 4);
+    ASSERT_FALSE(larger);
+    EXPECT_EQ(larger.error().code, ErrorCode::Io);
+    EXPECT_EQ(larger.error().message, "is larger than 4 bytes");
+}
+
+} // namespace lodsmith
