@@ -220,6 +220,10 @@ void Simplifier::removePiece(const CollapseLimits& limits)
 Candidate Simplifier::evaluated()
 {
     mCost->begin(mMesh, mRing);
+    if (mRing.isBorder()) // spares the costs of collapses that are sure to be refused
+        for (std::uint32_t i = 0; i < mRing.neighbourCount; ++i)
+            if (mRing.neighbours[i].faces != 1)
+                mCost->reject(static_cast<int>(i));
     return mCost->cheapest();
 }
 
