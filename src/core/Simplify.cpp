@@ -124,7 +124,7 @@ bool isCancelled(const Progress* progress)
 }
 
 Result<LodChain> run(const MeshView& view, const std::vector<LevelTarget>& targets, const SimplifyOptions& options,
-                     Progress* progress)
+                     Progress* progress, const std::function<void()>& inputRead)
 {
     const Error cancelled{ErrorCode::Cancelled, "cancelled"};
     if (isCancelled(progress))
@@ -135,6 +135,8 @@ Result<LodChain> run(const MeshView& view, const std::vector<LevelTarget>& targe
     CollapseMesh& mesh = welded.value();
     mesh.buildPlanes();
     buildAttributes(mesh, view, options.metric == Metric::Quadric ? options.weights : AttributeWeights{0, 0, 0, 0});
+    if (inputRead)
+        inputRead();
     mesh.buildFaceLists();
     std::unique_ptr<CollapseCost> cost;
     if (options.metric == Metric::Quadric)
@@ -173,13 +175,13 @@ Result<LodChain> run(const MeshView& view, const std::vector<LevelTarget>& targe
 } // namespace
 
 Result<LodChain> simplify(const MeshView& mesh, const std::vector<LevelTarget>& targets, const SimplifyOptions& options,
-                          Progress* progress)
+                          Progress* progress, const std::function<void()>& inputRead)
 {
     assertWellFormed(mesh);
     if (auto error = troubleWith(targets, options.weights))
         return *error;
     try {
-        return run(mesh, targets, options, progress);
+        return run(mesh, targets, options, progress, inputRead);
     } catch (const std::bad_alloc&) {
         return Error{ErrorCode::OutOfMemory, "not enough memory to simplify this mesh"};
     }

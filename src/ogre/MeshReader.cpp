@@ -96,6 +96,18 @@ private:
 
 } // namespace
 
+void MeshData::releaseArrays()
+{
+    mBlocks.clear();
+    for (VertexBufferView& buffer : mView.vertexBuffers) {
+        const std::uint32_t count = buffer.vertexCount;
+        buffer = {};
+        buffer.vertexCount = count;
+    }
+    for (SubMeshView& subMesh : mView.subMeshes)
+        subMesh.indices = nullptr;
+}
+
 Result<MeshData> MeshReader::read(const Ogre::Mesh& mesh)
 {
     assertMainThread();

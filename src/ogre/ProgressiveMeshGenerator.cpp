@@ -103,10 +103,11 @@ Result<LodReport> generate(const LodConfig& config, Progress* progress)
     const Result<LodPlan> plan = planLods(config);
     if (!plan)
         return plan.error();
-    const Result<MeshData> data = MeshReader::read(*config.mesh);
+    Result<MeshData> data = MeshReader::read(*config.mesh);
     if (!data)
         return data.error();
-    Result<LodChain> chain = simplify(data.value().view(), targetsOf(config), config.options, progress);
+    Result<LodChain> chain = simplify(data.value().view(), targetsOf(config), config.options, progress,
+                                      [&] { data.value().releaseArrays(); });
     if (!chain)
         return inTermsOfMesh(chain.error(), data.value());
     const double orderSeconds = secondsToOrder(chain.value());

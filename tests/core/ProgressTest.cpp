@@ -98,6 +98,36 @@ TEST(Progress, CancelAfterTheEndChangesNothing)
     EXPECT_EQ(result.value().levels.size(), 1u);
 }
 
+TEST(InputRead, NothingIsReadAfterwards)
+{
+    TestMesh mesh = makeTerrain(20);
+    const std::vector<LevelTarget> targets = {removedShare(0.5), removedShare(0.9)};
+    const Result<LodChain> expected = simplify(mesh.view(), targets);
+    int calls = 0;
+    const Result<LodChain> result = simplify(mesh.view(), targets, {}, nullptr, [&] {
+        ++calls;
+        for (TestBuffer& buffer : mesh.buffers) {
+            std::fill(buffer.positions.begin(), buffer.positions.end(), std::numeric_limits<float>::quiet_NaN());
+            std::fill(buffer.normals.begin(), buffer.normals.end(), std::numeric_limits<float>::quiet_NaN());
+        }
+        for (TestSubMesh& subMesh : mesh.subMeshes)
+            std::fill(subMesh.indices.begin(), subMesh.indices.end(), 0xFFFFFFFFu);
+    });
+    EXPECT_EQ(calls, 1);
+    ASSERT_TRUE(expected.ok() && result.ok());
+    for (std::size_t i = 0; i < targets.size(); ++i)
+        EXPECT_EQ(result.value().levels[i].indices, expected.value().levels[i].indices);
+}
+
+TEST(InputRead, IsNotSaidAfterAnError)
+{
+    TestMesh mesh = makeTerrain(2);
+    mesh.subMeshes[0].indices[0] = 1000;
+    const Result<LodChain> result =
+        simplify(mesh.view(), {removedShare(0.5)}, {}, nullptr, [] { ADD_FAILURE() << "nothing was read whole"; });
+    EXPECT_FALSE(result.ok());
+}
+
 } // namespace
 
 } // namespace lodsmith

@@ -20,6 +20,9 @@ public:
     /// The arrays stay where they are when this object is moved; the MeshView itself moves with it.
     const MeshView& view() const { return mView; }
 
+    /// Frees the arrays. What view() says about counts stays true; its streams and indices are null then.
+    void releaseArrays();
+
     /// For each OGRE submesh the number of its SubMeshView in view(), or -1 when it was left alone (see notes()).
     const std::vector<int>& subMeshOf() const { return mSubMeshOf; }
 
