@@ -1,5 +1,6 @@
 #include <lodsmith/ogre/MeshWriter.h>
 
+#include "IndexReader.h"
 #include "LodPlan.h"
 #include "MainThread.h"
 #include "OgreGuard.h"
@@ -98,14 +99,20 @@ public:
     {
     }
 
-    PreparedLevels build()
+    /// Errors: those of readTriangles(), without a file.
+    Result<PreparedLevels> build()
     {
         chooseLevels();
         mPrepared.faces.resize(mPrepared.sources.size());
         for (auto& faces : mPrepared.faces)
             faces.resize(mMesh.getNumSubMeshes());
-        for (std::size_t subMesh = 0; subMesh < mMesh.getNumSubMeshes(); ++subMesh)
+        for (std::size_t subMesh = 0; subMesh < mMesh.getNumSubMeshes(); ++subMesh) {
             buildSubMesh(subMesh);
+            if (auto error = convertLevelZero(subMesh)) {
+                error->subMesh = static_cast<int>(subMesh);
+                return *error;
+            }
+        }
         return std::move(mPrepared);
     }
 
@@ -146,8 +153,6 @@ private:
         for (auto& faces : mPrepared.faces)
             if (!faces[number])
                 faces[number] = makeIndexData({}, 0, 0);
-        mPrepared.convertedLevelZero.push_back(view >= 0 ? convertLevelZero(subMesh, static_cast<std::size_t>(view))
-                                                         : nullptr);
     }
 
     void storeGenerated(std::size_t number, std::size_t view, std::size_t first, std::size_t last)
@@ -161,15 +166,25 @@ private:
     }
 
     /// One operation type goes for all levels of a submesh, so that strips and fans have to go once there are lists.
-    IndexDataPtr convertLevelZero(const Ogre::SubMesh& subMesh, std::size_t view) const
+    std::optional<Error> convertLevelZero(std::size_t number)
     {
-        if (mGenerated.empty() || subMesh.operationType == Ogre::RenderOperation::OT_TRIANGLE_LIST)
-            return nullptr;
-        const SubMeshView& whole = mData.view().subMeshes[view];
-        std::vector<std::uint32_t> indices(whole.indexCount);
+        mPrepared.convertedLevelZero.push_back(nullptr);
+        const Ogre::SubMesh& subMesh = *mMesh.getSubMesh(number);
+        const int view = mData.subMeshOf()[number];
+        if (view < 0 || mGenerated.empty() || subMesh.operationType == Ogre::RenderOperation::OT_TRIANGLE_LIST)
+            return std::nullopt;
+        const MeshView& read = mData.view();
+        Blocks blocks;
+        const Result<TriangleList> list = readTriangles(
+            subMesh, read.vertexBuffers[read.subMeshes[static_cast<std::size_t>(view)].vertexBuffer].vertexCount, blocks);
+        if (!list)
+            return list.error();
+        const SubMeshView triangles{0, list.value().indices, list.value().count, list.value().indexBytes};
+        std::vector<std::uint32_t> indices(triangles.indexCount);
         for (std::size_t i = 0; i < indices.size(); ++i)
-            indices[i] = whole.index(i);
-        return std::move(storeLists(mMesh, subMesh, {&indices}).front());
+            indices[i] = triangles.index(i);
+        mPrepared.convertedLevelZero.back() = std::move(storeLists(mMesh, subMesh, {&indices}).front());
+        return std::nullopt;
     }
 
     const LodConfig& mConfig;
@@ -290,7 +305,10 @@ Result<Done> MeshWriter::write(const LodConfig& config, const MeshData& data, co
             return plan.error();
         if (auto error = checkUnchanged(*config.mesh, data))
             return *error;
-        attach(config, plan.value(), LevelBuilder(config, data, chain).build());
+        Result<PreparedLevels> levels = LevelBuilder(config, data, chain).build();
+        if (!levels)
+            return levels.error();
+        attach(config, plan.value(), std::move(levels).value());
         return Done{};
     });
 }
