@@ -53,6 +53,8 @@ bool CollapseCheck::allows(OneRing& ring, std::uint32_t neighbour) const
         return false; // nothing would be left of this piece
     if (onEdge != 1 && ring.isBorder())
         return false; // a border is left along itself only
+    if (leavesLine(ring, neighbour))
+        return false;
     ring.aimAt(neighbour);
     if (turnsFaceOver(ring, destination))
         return false;
@@ -60,6 +62,17 @@ bool CollapseCheck::allows(OneRing& ring, std::uint32_t neighbour) const
     if (!hub && isOrdinary(ring, neighbour))
         return true;
     return hub ? keepsLinkAtHub(ring, neighbour) : keepsLink(ring, neighbour);
+}
+
+/// Whether the vertex lies on, or ends, a line where sheets meet in threes, and would leave it. Even numbers of faces on an
+/// edge are no such line: walls with two sides have four, and their outlines would be stuck.
+bool CollapseCheck::leavesLine(const OneRing& ring, std::uint32_t neighbour)
+{
+    if (ring.isFan)
+        return false;
+    const auto isOnLine = [](const OneRing::Neighbour& end) { return end.faces > 2 && end.faces % 2 == 1; };
+    const auto lines = std::count_if(ring.neighbours, ring.neighbours + ring.neighbourCount, isOnLine);
+    return lines != 0 && lines <= 2 && !isOnLine(ring.neighbours[neighbour]);
 }
 
 bool CollapseCheck::turnsFaceOver(const OneRing& ring, std::uint32_t destination) const

@@ -17,6 +17,7 @@ public:
     bool allows(OneRing& ring, std::uint32_t neighbour) const;
 
 private:
+    static bool leavesLine(const OneRing& ring, std::uint32_t neighbour);
     bool turnsFaceOver(const OneRing& ring, std::uint32_t destination) const;
     bool isOrdinary(const OneRing& ring, std::uint32_t neighbour) const;
     bool keepsLink(const OneRing& ring, std::uint32_t neighbour) const;
