@@ -98,7 +98,7 @@ void BatchRunner::startMore(const std::vector<BatchJob>& jobs)
         if (child)
             mRunning.push_back({mNextToStart, std::move(child).value()});
         else
-            mOutcomes[mNextToStart] = withFile(child.error(), job.file);
+            mOutcomes[mNextToStart].emplace(withFile(child.error(), job.file));
     }
 }
 
@@ -125,7 +125,7 @@ void BatchRunner::collectFinished(const std::vector<BatchJob>& jobs)
         if (!outcome)
             sweep(job, id);
         mProgress.finished(job.file, seconds, outcome.ok());
-        mOutcomes[running.job] = outcome;
+        mOutcomes[running.job].emplace(outcome);
         return true;
     };
     mRunning.erase(std::remove_if(mRunning.begin(), mRunning.end(), ended), mRunning.end());
@@ -136,7 +136,7 @@ void BatchRunner::deliver(const BatchSink& sink)
     for (; mNextToDeliver < mOutcomes.size() && mOutcomes[mNextToDeliver]; ++mNextToDeliver) {
         mProgress.clear();
         sink(mNextToDeliver, *mOutcomes[mNextToDeliver]);
-        mOutcomes[mNextToDeliver] = Result<Json>(Json());
+        mOutcomes[mNextToDeliver].emplace(Json());
     }
 }
 

@@ -158,11 +158,11 @@ void spoilSettings(SimplifyCase& result, ByteSource& bytes)
 
 float ByteSource::anything()
 {
-    std::uint8_t raw[4];
-    for (std::uint8_t& part : raw)
-        part = byte();
+    std::uint32_t bits = 0;
+    for (int shift = 0; shift < 32; shift += 8)
+        bits |= std::uint32_t{byte()} << shift;
     float value;
-    std::memcpy(&value, raw, sizeof value);
+    std::memcpy(&value, &bits, sizeof value);
     return value;
 }
 
