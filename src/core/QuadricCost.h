@@ -60,11 +60,11 @@ private:
     std::uint32_t mPlaneCount = 0;
     Plane mPlanes[OneRing::kMaxFaces + OneRing::kMaxNeighbours]; ///< those of the faces, then the constraints
     float mX[OneRing::kMaxNeighbours] = {}, mY[OneRing::kMaxNeighbours] = {},
-          mZ[OneRing::kMaxNeighbours] = {};  ///< edges to the neighbours
-    float mSquared[OneRing::kMaxNeighbours]; ///< lengths of the edges
-    float mInverse[OneRing::kMaxNeighbours]; ///< ... and one over them
-    bool mExact[OneRing::kMaxNeighbours];    ///< whether mBound has the attributes in it
-    float mBound[OneRing::kMaxNeighbours];   ///< of each neighbour's cost, from below; kNever when rejected
+          mZ[OneRing::kMaxNeighbours] = {};   ///< edges to the neighbours
+    float mSquared[OneRing::kMaxNeighbours];  ///< lengths of the edges
+    float mInverse[OneRing::kMaxNeighbours];  ///< ... and one over them
+    bool mExact[OneRing::kMaxNeighbours];     ///< whether mBound has the attributes in it
+    float mBound[OneRing::kMaxNeighbours];    ///< of each neighbour's cost, from below; kNever when rejected
     Continuation mBehind[OneRing::kMaxFaces]; ///< of each wedge
     WedgeMap mWedges;
 };

@@ -123,7 +123,8 @@ void Simplifier::advance(const CollapseLimits& limits)
         removePiece(limits);
         return;
     }
-    Candidate candidate = stale ? evaluated() : Candidate{static_cast<int>(mRing.find(mMesh, mEntries[v].target)), front.cost};
+    Candidate candidate =
+        stale ? evaluated() : Candidate{static_cast<int>(mRing.find(mMesh, mEntries[v].target)), front.cost};
     if (stale && candidate.neighbour >= 0 && !isFront(candidate.cost)) {
         enqueue(candidate);
         return;

@@ -69,8 +69,9 @@ private:
     };
 
     struct QueueEntry {
-        float cost = 0.0f;            ///< an entry with another cost counts no more
-        std::uint32_t target = kNone; ///< of the cheapest collapse, as last evaluated; itself when its piece is to vanish
+        float cost = 0.0f; ///< an entry with another cost counts no more
+        std::uint32_t target =
+            kNone; ///< of the cheapest collapse, as last evaluated; itself when its piece is to vanish
     };
 
     void prepare(std::uint32_t vertex, const VertexLocks& locks);

@@ -26,8 +26,9 @@ TestMesh makeJunction(std::uint32_t cells)
     mesh.buffers.resize(1);
     mesh.subMeshes.resize(1);
     for (const double width : {1.0, -1.0, 0.93}) {
-        const TestMesh sheet =
-            makePatch(cells, cells, [width](double u, double v) { return Point{u, width * v, 0.0}; });
+        const TestMesh sheet = makePatch(cells, cells, [width](double u, double v) {
+            return Point{u, width * v, 0.0};
+        });
         const std::uint32_t first = mesh.buffers[0].vertexCount();
         std::vector<float>& positions = mesh.buffers[0].positions;
         positions.insert(positions.end(), sheet.buffers[0].positions.begin(), sheet.buffers[0].positions.end());
