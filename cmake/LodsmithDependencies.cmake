@@ -4,6 +4,9 @@
 
 find_package(embree 3 CONFIG QUIET REQUIRED GLOBAL)
 find_package(tinyxml2 CONFIG QUIET REQUIRED GLOBAL)
+# Headers alone: compiled into lodsmith_cache, so that its users need not find it.
+find_path(LODSMITH_XXHASH_INCLUDE_DIR xxhash.h REQUIRED)
+mark_as_advanced(LODSMITH_XXHASH_INCLUDE_DIR)
 if(LODSMITH_OGRE)
     find_package(meshoptimizer CONFIG QUIET REQUIRED GLOBAL)
     find_package(OGRE CONFIG QUIET REQUIRED GLOBAL)

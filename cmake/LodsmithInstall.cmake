@@ -40,6 +40,8 @@ lodsmith_install_library(lodsmith_analysis analysis
 lodsmith_install_library(lodsmith_loddef loddef
     PC lodsmith-loddef REQUIRES lodsmith-core LIBS_PRIVATE -ltinyxml2)
 install(FILES ${PROJECT_SOURCE_DIR}/docs/loddef.xsd DESTINATION ${CMAKE_INSTALL_DATADIR}/lodsmith)
+lodsmith_install_library(lodsmith_cache cache
+    PC lodsmith-cache REQUIRES lodsmith-core)
 if(LODSMITH_OGRE)
     lodsmith_install_library(lodsmith ogre
         PC lodsmith REQUIRES "lodsmith-core OGRE" LIBS_PRIVATE -lmeshoptimizer)

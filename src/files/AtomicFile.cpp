@@ -16,10 +16,12 @@ namespace {
 
 constexpr int kNameAttempts = 1000;
 constexpr const char* kIsThere = "is there already";
+constexpr std::string_view kPrefix = ".lodsmith-";
+constexpr std::string_view kSuffix = ".tmp";
 
 std::string leftoverPrefix(pid_t writer)
 {
-    return ".lodsmith-" + std::to_string(writer) + "-";
+    return std::string(kPrefix) + std::to_string(writer) + "-";
 }
 
 /// New files get what the umask leaves, replaced ones keep their permissions.
@@ -71,7 +73,8 @@ Result<std::string> readAll(int descriptor, const fs::path& path, std::size_t ex
 
 } // namespace
 
-AtomicFile::AtomicFile(fs::path target, Existing existing) : mTarget(std::move(target)), mExisting(existing)
+AtomicFile::AtomicFile(fs::path target, Existing existing, Durability durability)
+    : mTarget(std::move(target)), mExisting(existing), mDurability(durability)
 {
     mDirectory = mTarget.has_parent_path() ? mTarget.parent_path() : fs::path(".");
 }
@@ -101,7 +104,7 @@ Result<Done> AtomicFile::commit()
 {
     LODSMITH_ASSERT(!mTemporary.empty() && mDescriptor < 0, "commit() follows a prepare() that succeeded");
     auto moved = mExisting == Existing::Replace ? renameIntoPlace() : linkIntoPlace();
-    if (moved)
+    if (moved && mDurability == Durability::Synced)
         syncDirectory(mDirectory);
     return moved;
 }
@@ -127,11 +130,17 @@ void AtomicFile::removeLeftovers(const fs::path& directory, pid_t writer)
             ::unlink(entry->path().c_str());
 }
 
+bool AtomicFile::isTemporary(std::string_view fileName)
+{
+    return fileName.size() > kPrefix.size() + kSuffix.size() && fileName.substr(0, kPrefix.size()) == kPrefix
+           && fileName.substr(fileName.size() - kSuffix.size()) == kSuffix;
+}
+
 Result<Done> AtomicFile::openTemporary()
 {
     const mode_t permissions = permissionsFor(mTarget);
     for (int attempt = 0; attempt < kNameAttempts; ++attempt) {
-        const fs::path name = mDirectory / (leftoverPrefix(::getpid()) + std::to_string(attempt) + ".tmp");
+        const fs::path name = mDirectory / leftoverPrefix(::getpid()).append(std::to_string(attempt)).append(kSuffix);
         mDescriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, permissions);
         if (mDescriptor >= 0) {
             mTemporary = name;
@@ -152,7 +161,7 @@ Result<Done> AtomicFile::writeAll(std::string_view bytes)
         else if (errno != EINTR)
             return failure("cannot be written");
     }
-    if (::fsync(mDescriptor) != 0)
+    if (mDurability == Durability::Synced && ::fsync(mDescriptor) != 0)
         return failure("cannot be written");
     // Some file systems report a full disk only here.
     if (::close(std::exchange(mDescriptor, -1)) != 0)

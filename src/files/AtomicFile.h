@@ -14,6 +14,12 @@ namespace lodsmith {
 /// What to do about a file that is already there.
 enum class Existing { Keep, Replace };
 
+/// What a power cut may do to a file that is in its place already.
+enum class Durability {
+    Synced, ///< nothing: it is on the disk, which takes its time
+    None,   ///< empty it or take it away: for what can be made again and is checked when it is read
+};
+
 /// A file that appears whole or not at all: written beside its place under a temporary name, then renamed.
 ///
 /// Whatever fails, the target is as it was and the temporary file is gone once the object is. A process that is killed
@@ -21,13 +27,13 @@ enum class Existing { Keep, Replace };
 class AtomicFile {
 public:
     /// Touches nothing yet.
-    AtomicFile(std::filesystem::path target, Existing existing);
+    AtomicFile(std::filesystem::path target, Existing existing, Durability durability = Durability::Synced);
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
 
-    /// Writes everything to the temporary file and makes it durable; directories on the way are made. To be called
-    /// once. Errors: those of checkTarget(), Io.
+    /// Writes everything to the temporary file and makes it as durable as was asked for; directories on the way are made.
+    /// To be called once. Errors: those of checkTarget(), Io.
     Result<Done> prepare(std::string_view bytes);
 
     /// Puts what was prepared in its place. Errors: those of checkTarget(), Io.
@@ -40,6 +46,9 @@ public:
     /// Removes what process `writer`, which has ended, left half-written in a directory.
     static void removeLeftovers(const std::filesystem::path& directory, pid_t writer);
 
+    /// Whether a file is a temporary one by its name, of whichever process.
+    static bool isTemporary(std::string_view fileName);
+
 private:
     Result<Done> openTemporary();
     Result<Done> writeAll(std::string_view bytes);
@@ -51,6 +60,7 @@ private:
     std::filesystem::path mDirectory;
     std::filesystem::path mTemporary;
     Existing mExisting;
+    Durability mDurability;
     int mDescriptor = -1;
 };
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Compiles the consumers with what pkg-config says about an installed Lodsmith, and runs them.
-#   pkg-config.sh COMPILER PREFIX LIBDIR OUTPUT-DIRECTORY CONSUMER...   (CONSUMER: core, loddef or ogre)
+#   pkg-config.sh COMPILER PREFIX LIBDIR OUTPUT-DIRECTORY CONSUMER...   (CONSUMER: core, loddef, cache or ogre)
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 compiler=$1 libdir=$2/$3 output=$4
@@ -23,6 +23,7 @@ for consumer in "${@:5}"; do
     case $consumer in
     core) compile lodsmith-core ./core_consumer "$here/CoreConsumer.cpp" ;;
     loddef) compile lodsmith-loddef ./loddef_consumer "$here/LoddefConsumer.cpp" ;;
+    cache) compile lodsmith-cache ./cache_consumer "$here/CacheConsumer.cpp" ;;
     ogre) compile lodsmith ./ogre_consumer "$here/OgreConsumer.cpp" "$here/AddLods.cpp" ;;
     esac
     "./${consumer}_consumer"

@@ -134,6 +134,28 @@ TEST(AtomicFile, leftoversOfTheDeadAreRemovedAndNoOthers)
     EXPECT_THAT(directory.files(), ElementsAre(".lodsmith-47110-0.tmp", "mine"));
 }
 
+TEST(AtomicFile, isWrittenWholeWhetherItHasToOutliveAPowerCutOrNot)
+{
+    const TestDirectory directory;
+    AtomicFile file(directory / "a/file", Existing::Replace, Durability::None);
+    ASSERT_TRUE(file.prepare("content"));
+    ASSERT_TRUE(file.commit());
+    EXPECT_EQ(contentOf(directory / "a/file"), "content");
+    EXPECT_THAT(directory.files(), ElementsAre("a/file"));
+}
+
+TEST(AtomicFile, knowsTemporaryFilesByTheirNames)
+{
+    const TestDirectory directory;
+    AtomicFile file(directory / "file", Existing::Keep);
+    ASSERT_TRUE(file.prepare("content"));
+    ASSERT_EQ(directory.files().size(), 1u);
+    EXPECT_TRUE(AtomicFile::isTemporary(directory.files()[0]));
+    for (const char* name :
+         {"", "file", "file.tmp", ".lodsmith-", ".lodsmith-.tmp", ".lodsmith.tmp", ".lodsmith-1-0.tmpx"})
+        EXPECT_FALSE(AtomicFile::isTemporary(name)) << name;
+}
+
 TEST(ReadFile, namesWhatCannotBeRead)
 {
     const TestDirectory directory;
