@@ -22,15 +22,19 @@ units or a pixel count. METHOD and AMOUNT, always against the original mesh:
   deviation     bound on the deviation, in world units
   collapsecost  dearest collapse, in world units
 
+A definition beside a mesh (tree.loddef beside tree.mesh) says what levels that mesh gets, unless options above do.
+
 Examples:
   lodsmith generate tree.mesh -o tree-lod.mesh
-      automatic levels (four, by pixel count)
+      as tree.loddef says; without one automatic levels (four, by pixel count)
   lodsmith generate tree.mesh -o out/ --levels 20:proportional:0.5,60:proportional:0.75
       half of the vertices from distance 20 on, a quarter from 60
   lodsmith generate models -o out -j 4 --json > report.jsonl
       every .mesh below models/, four at a time, one JSON object a mesh
   lodsmith generate house.mesh -o out/ --levels 50:deviation:0.02,400:mesh:box.mesh
       as few triangles as 0.02 units of deviation allow, then a hand-made box
+  lodsmith generate models -o out --loddef far.loddef
+      all of them as far.loddef says
 )";
 
 constexpr double kLargestWeight = 1e6;
@@ -41,6 +45,8 @@ struct GenerateArguments {
     std::string output;
     std::optional<std::string> levels;
     std::string strategy;
+    std::optional<std::string> loddef;
+    bool noLoddef = false;
     GenerateSettings settings;
     BatchOptions batch;
     bool weighted = false; ///< one of the weights was given
@@ -100,6 +106,31 @@ void checkManualLevels(const std::vector<LevelSpec>& levels, const std::vector<P
     }
 }
 
+bool statesLevels(const GenerateArguments& arguments)
+{
+    const GenerateSettings& settings = arguments.settings;
+    return arguments.levels || !arguments.strategy.empty() || settings.metric || arguments.weighted
+           || settings.lockBorders || settings.lockSeams;
+}
+
+void resolveDefinition(GenerateArguments& arguments)
+{
+    DefinitionChoice& choice = arguments.settings.definition;
+    choice.beside = !arguments.noLoddef;
+    choice.waits = choice.beside && statesLevels(arguments);
+    if (!arguments.loddef)
+        return;
+    if (arguments.loddef->empty())
+        throw UsageError("--loddef: the file has no name");
+    if (arguments.noLoddef)
+        throw UsageError("--loddef and --no-loddef exclude each other");
+    if (statesLevels(arguments))
+        throw UsageError(
+            "--loddef says what levels there are: it goes with none of --levels, --strategy, --metric, the "
+            "weights, --lock-borders and --lock-seams");
+    choice.given = *arguments.loddef;
+}
+
 void checkWeights(const GenerateArguments& arguments)
 {
     const Metric usual = arguments.levels ? Metric::Quadric : Metric::Curvature;
@@ -127,7 +158,7 @@ std::vector<PlannedFile> planFiles(const GenerateArguments& arguments)
     if (!plan)
         throw UsageError(plan.error().message);
     checkManualLevels(arguments.settings.levels, plan.value());
-    return std::move(plan).value();
+    return withoutHandMade(std::move(plan).value(), arguments.settings.definition);
 }
 
 BatchJob makeJob(const PlannedFile& file, const GenerateSettings& settings)
@@ -159,6 +190,7 @@ Json completeRecord(const PlannedFile& file, const Result<Json>& outcome)
 
 int runGenerate(GenerateArguments& arguments)
 {
+    resolveDefinition(arguments);
     checkWeights(arguments);
     if (!holdsLevels(arguments.settings.write.format.version))
         throw UsageError("--mesh-version: OGRE writes no levels of detail in mesh formats 1.0 and 1.4");
@@ -225,6 +257,14 @@ void addLevelOptions(CLI::App& command, GenerateArguments& arguments)
                         return Done{};
                     })
         ->type_name("STRATEGY");
+    addParsedOption(command, "--loddef",
+                    "Levels of all meshes as this file says [the .loddef beside each mesh, if any]",
+                    [&arguments](const std::string& file) -> Result<Done> {
+                        arguments.loddef = file;
+                        return Done{};
+                    })
+        ->type_name("FILE");
+    command.add_flag("--no-loddef", arguments.noLoddef, "Pass over .loddef files beside the meshes");
 }
 
 void addRunOptions(CLI::App& command, GenerateArguments& arguments)

@@ -1,10 +1,8 @@
 #include "Generation.h"
 
-#include "OgreSession.h"
+#include "MeshPlan.h"
 #include "PeakMemory.h"
 
-#include <lodsmith/analysis/MeshStatistics.h>
-#include <lodsmith/ogre/MeshReader.h>
 #include <lodsmith/ogre/MeshWriter.h>
 #include <lodsmith/ogre/ProgressiveMeshGenerator.h>
 
@@ -13,8 +11,6 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
-
-namespace fs = std::filesystem;
 
 namespace lodsmith::cli {
 
@@ -43,62 +39,6 @@ double median(std::vector<double> values)
     std::sort(values.begin(), values.end());
     const std::size_t middle = values.size() / 2;
     return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2.0;
-}
-
-/// Vertices and triangles of a hand-made level, which the generator does not look into.
-struct ManualCounts {
-    std::uint32_t vertices = 0;
-    std::uint32_t triangles = 0;
-};
-
-std::string manualName(const LevelSpec& level)
-{
-    return fs::path(level.meshFile).filename().string();
-}
-
-Result<LodConfig> makeConfig(const GenerateSettings& settings, const Ogre::MeshPtr& mesh)
-{
-    LodConfig config;
-    if (settings.levels.empty()) {
-        if (!(mesh->getBoundingSphereRadius() > 0.0f))
-            return Error{ErrorCode::InvalidGeometry,
-                         "has no bounding radius, which the automatic levels follow; use --levels"};
-        config = automaticLodConfig(mesh);
-    }
-    config.mesh = mesh;
-    if (!settings.levels.empty())
-        config.strategy = settings.strategy;
-    for (const LevelSpec& level : settings.levels)
-        config.levels.push_back({level.value, level.target, level.isManual() ? manualName(level) : ""});
-    if (settings.metric)
-        config.options.metric = *settings.metric;
-    config.options.weights = settings.weights;
-    config.options.lockBorders = settings.lockBorders;
-    config.options.lockSeams = settings.lockSeams;
-    config.shareIndexBuffers = settings.shareBuffers;
-    return config;
-}
-
-Result<std::vector<ManualCounts>> loadManualLevels(OgreSession& session, const GenerateSettings& settings,
-                                                   const Ogre::Mesh& mesh)
-{
-    std::vector<ManualCounts> counts;
-    for (const LevelSpec& level : settings.levels) {
-        counts.emplace_back();
-        if (!level.isManual())
-            continue;
-        const Result<Ogre::MeshPtr> manual = session.loadLevelOf(mesh, level.meshFile, manualName(level));
-        if (!manual)
-            return manual.error();
-        const Result<MeshData> data = MeshReader::read(*manual.value());
-        if (!data)
-            return data.error();
-        const Result<MeshStatistics> statistics = meshStatistics(data.value().view());
-        if (!statistics)
-            return statistics.error();
-        counts.back() = {statistics.value().vertices, statistics.value().triangles};
-    }
-    return counts;
 }
 
 Result<LodReport> generateRepeatedly(const LodConfig& config, unsigned repeat, Progress& progress, Timings& timings)
@@ -145,17 +85,20 @@ Json levelZeroRecord(const LodReport& report, const Ogre::Mesh& mesh)
                 {"bytes", levelBytes(mesh, 0)}};
 }
 
-Json levelRecord(const LodLevelReport& level, const std::string& manual, const ManualCounts& counts, std::size_t bytes)
+Json handMadeRecord(Ogre::Real value, const std::string& name, const HandMadeLevel& level)
 {
-    if (level.manual)
-        return Json{{"value", level.value},
-                    {"vertices", counts.vertices},
-                    {"triangles", counts.triangles},
-                    {"deviation", nullptr},
-                    {"skipped", false},
-                    {"stop", nullptr},
-                    {"manual", manual},
-                    {"bytes", 0}};
+    return Json{{"value", value},
+                {"vertices", level.vertices},
+                {"triangles", level.triangles},
+                {"deviation", nullptr},
+                {"skipped", false},
+                {"stop", nullptr},
+                {"manual", name},
+                {"bytes", 0}};
+}
+
+Json levelRecord(const LodLevelReport& level, std::size_t bytes)
+{
     return Json{{"value", level.value},
                 {"vertices", level.vertices},
                 {"triangles", level.triangles},
@@ -166,31 +109,34 @@ Json levelRecord(const LodLevelReport& level, const std::string& manual, const M
                 {"bytes", bytes}};
 }
 
-Json levelRecords(const LodConfig& config, const LodReport& report, const std::vector<ManualCounts>& manual)
+Json levelRecords(const MeshPlan& plan, const LodReport& report)
 {
-    Json levels = Json::array({levelZeroRecord(report, *config.mesh)});
+    const Ogre::Mesh& mesh = *plan.config.mesh;
+    Json levels = Json::array({levelZeroRecord(report, mesh)});
     std::size_t stored = 0;
     for (std::size_t i = 0; i < report.levels.size(); ++i) {
         const LodLevelReport& level = report.levels[i];
+        const std::string& handMade = plan.config.levels[i].manualMeshName;
         stored += level.skipped ? 0 : 1;
-        const std::size_t bytes = level.skipped || level.manual ? 0 : levelBytes(*config.mesh, stored);
-        levels.push_back(
-            levelRecord(level, config.levels[i].manualMeshName, level.manual ? manual[i] : ManualCounts(), bytes));
+        if (level.manual)
+            levels.push_back(handMadeRecord(level.value, handMade, plan.handMade.at(handMade)));
+        else
+            levels.push_back(levelRecord(level, level.skipped ? 0 : levelBytes(mesh, stored)));
     }
     return levels;
 }
 
-Json recordOf(const LodConfig& config, const LodReport& report, const std::vector<ManualCounts>& manual,
-              const Timings& timings)
+Json recordOf(const MeshPlan& plan, const LodReport& report, const Timings& timings)
 {
     Json record;
     record["vertices"] = report.vertices;
     record["buffer_vertices"] = report.bufferVertices;
     record["triangles"] = report.triangles;
     record["radius"] = report.radius;
-    record["strategy"] = config.strategy;
-    record["metric"] = config.options.metric == Metric::Quadric ? "quadric" : "curvature";
-    record["levels"] = levelRecords(config, report, manual);
+    record["loddef"] = plan.loddef.empty() ? Json(nullptr) : Json(plan.loddef);
+    record["strategy"] = plan.config.strategy;
+    record["metric"] = plan.config.options.metric == Metric::Quadric ? "quadric" : "curvature";
+    record["levels"] = levelRecords(plan, report);
     record["cleaned"] = Json{{"degenerate_triangles", report.cleaned.degenerateTriangles},
                              {"repeated_triangles", report.cleaned.repeatedTriangles},
                              {"unreferenced_vertices", report.cleaned.unreferencedVertices}};
@@ -202,13 +148,13 @@ Json recordOf(const LodConfig& config, const LodReport& report, const std::vecto
     return record;
 }
 
-Result<Done> writeResult(const GenerateSettings& settings, const PlannedFile& file, const Ogre::Mesh& mesh,
+Result<Done> writeResult(const GenerateSettings& settings, const PlannedFile& file, const MeshPlan& plan,
                          std::vector<std::string>& notes)
 {
+    const Ogre::Mesh& mesh = *plan.config.mesh;
     std::vector<Companion> companions = findSkeleton(mesh, file.input, notes);
-    for (const LevelSpec& level : settings.levels)
-        if (level.isManual())
-            companions.push_back({level.meshFile, manualName(level)});
+    for (const auto& [name, level] : plan.handMade)
+        companions.push_back({level.file, name});
     const Result<std::string> bytes = meshBytes(mesh, settings.write.format);
     if (!bytes)
         return bytes.error();
@@ -225,22 +171,21 @@ Result<Json> generateFile(const GenerateSettings& settings, const PlannedFile& f
     const double readMs = reading.milliseconds();
     if (!mesh)
         return mesh.error();
-    const Result<std::vector<ManualCounts>> manual = loadManualLevels(session, settings, *mesh.value());
-    if (!manual)
-        return manual.error();
-    const Result<LodConfig> config = makeConfig(settings, mesh.value());
-    if (!config)
-        return config.error();
+    const Result<MeshPlan> plan = planMesh(settings, file, session, mesh.value());
+    if (!plan)
+        return plan.error();
     Timings timings;
-    Result<LodReport> report = generateRepeatedly(config.value(), settings.repeat, progress, timings);
+    Result<LodReport> report = generateRepeatedly(plan.value().config, settings.repeat, progress, timings);
     if (!report)
         return report.error();
 
+    std::vector<std::string>& notes = report.value().notes;
+    notes.insert(notes.begin(), plan.value().notes.begin(), plan.value().notes.end());
     const Stopwatch writing;
-    const Result<Done> written = writeResult(settings, file, *mesh.value(), report.value().notes);
+    const Result<Done> written = writeResult(settings, file, plan.value(), notes);
     if (!written)
         return written.error();
-    Json record = recordOf(config.value(), report.value(), manual.value(), timings);
+    Json record = recordOf(plan.value(), report.value(), timings);
     record["read_ms"] = readMs;
     record["write_ms"] = writing.milliseconds();
     return record;
@@ -250,7 +195,7 @@ Json failedRecord(const PlannedFile& file, const Error& error)
 {
     Json record{{"input", file.input.string()},
                 {"output", file.output.empty() ? Json(nullptr) : Json(file.output.string())}};
-    for (const char* member : {"vertices", "buffer_vertices", "triangles", "radius"})
+    for (const char* member : {"vertices", "buffer_vertices", "triangles", "radius", "loddef"})
         record[member] = nullptr;
     record["levels"] = Json::array();
     for (const char* member : {"read_ms", "generate_ms", "generate_min_ms", "order_ms", "write_ms", "peak_kb"})

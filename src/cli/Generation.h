@@ -1,6 +1,7 @@
 #pragma once
 
 #include "CommandOptions.h"
+#include "DefinitionFiles.h"
 #include "JsonRecord.h"
 #include "LevelSpec.h"
 #include "OutputPlan.h"
@@ -16,6 +17,7 @@ namespace lodsmith::cli {
 
 /// What `lodsmith generate` was asked to do with each mesh.
 struct GenerateSettings {
+    DefinitionChoice definition;   ///< where there is one, levels, strategy, metric, weights and locks are its own
     std::vector<LevelSpec> levels; ///< empty for the automatic configuration
     std::string strategy;          ///< OGRE's name; not used by the automatic configuration
     std::optional<Metric> metric;  ///< nothing: quadric, and curvature for the automatic configuration

@@ -96,9 +96,11 @@ std::string cleaned(const Json& record)
 
 std::string generationReport(const Json& record, unsigned repeat)
 {
-    std::string text = printable(record["input"].get<std::string>()) + " -> "
-                       + printable(record["output"].get<std::string>()) + "\n" + levelTable(record)
-                       + times(record, repeat);
+    std::string text =
+        printable(record["input"].get<std::string>()) + " -> " + printable(record["output"].get<std::string>()) + "\n";
+    if (!record["loddef"].is_null())
+        text += "levels as " + printable(record["loddef"].get<std::string>()) + " says\n";
+    text += levelTable(record) + times(record, repeat);
     for (std::size_t i = 0; i < record["levels"].size(); ++i)
         text += remark(i, record["levels"][i]);
     text += cleaned(record);

@@ -14,13 +14,14 @@ _lodsmith() {
     --metric) options="quadric curvature" ;;
     --mesh-version) options="1.0 1.4 1.41 1.8 1.10" ;;
     --endian) options="native little big" ;;
+    --loddef) files="*.loddef" ;;
     --levels | --repeat | --jobs | -j | --time-limit | --samples | --*-weight) return ;;
     esac
     if [[ -z $options && $word == -* ]]; then
         case ${COMP_WORDS[1]} in
         generate)
-            options="$write --levels --strategy --metric --normal-weight --uv-weight --colour-weight --bone-weight"
-            options+=" --lock-borders --lock-seams --share-buffers --repeat --jobs --json"
+            options="$write --levels --strategy --loddef --no-loddef --metric --normal-weight --uv-weight --colour-weight"
+            options+=" --bone-weight --lock-borders --lock-seams --share-buffers --repeat --jobs --json"
             ;;
         inspect) options="--json --time-limit --help" ;;
         measure) options="--against --samples --json --time-limit --help" ;;

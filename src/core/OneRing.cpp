@@ -45,7 +45,7 @@ bool OneRing::readFaces(const CollapseMesh& mesh, Corners& corners)
                 corner = mesh.vertexOf(corner);
         }
         const int corner = (at[1] == vertex ? 1 : 0) + (at[2] == vertex ? 2 : 0);
-        const int next = kNext[corner], afterNext = kNext[next];
+        const int next = kNext[corner], afterNext = kNext[next]; // NOLINT(clang-analyzer-core.uninitialized.Assign)
         RingFace& entry = faces[i];
         entry.face = list[i];
         entry.corner = static_cast<std::uint8_t>(corner);

@@ -64,23 +64,25 @@ Ogre::MeshPtr findMesh(const Ogre::String& name, const Ogre::String& group)
 
 Result<Ogre::MeshPtr> planManualLevel(const LodConfig& config, std::size_t index)
 {
-    const Ogre::String& name = config.levels[index].manualMeshName;
-    Ogre::MeshPtr mesh;
-    try {
-        mesh = findMesh(name, config.mesh->getGroup());
-    } catch (const Ogre::Exception& exception) {
-        return Error{ErrorCode::NotFound,
-                     levelName(index) + "the mesh \"" + name + "\" cannot be loaded: " + exception.getDescription()};
-    }
-    if (!mesh)
-        return Error{ErrorCode::NotFound,
-                     levelName(index) + "there is no mesh \"" + name + "\" in the group " + config.mesh->getGroup()};
-    if (mesh == config.mesh)
-        return badSetting(levelName(index) + "the mesh cannot be its own manual level");
-    if (mesh->getNumLodLevels() > 1)
-        return Error{ErrorCode::Unsupported, levelName(index) + "the mesh \"" + name
-                                                 + "\" has levels of its own, OGRE allows none in a manual level"};
-    return mesh;
+    Result<Ogre::MeshPtr> mesh = findManualMesh(config.levels[index].manualMeshName, *config.mesh);
+    if (mesh)
+        return mesh;
+    Error error = mesh.error();
+    error.message = levelName(index) + error.message;
+    return error;
+}
+
+std::optional<Error> checkImportance(const LodConfig& config)
+{
+    const std::vector<float>& importance = config.subMeshImportance;
+    if (importance.size() > config.mesh->getNumSubMeshes())
+        return badSetting("there are " + std::to_string(importance.size()) + " importances for "
+                          + std::to_string(config.mesh->getNumSubMeshes()) + " submeshes");
+    for (std::size_t i = 0; i < importance.size(); ++i)
+        if (!(importance[i] >= 0.0f && importance[i] <= 1.0f))
+            return badSetting("submesh " + std::to_string(i) + ": the importance "
+                              + Ogre::StringConverter::toString(importance[i]) + " is not in 0..1");
+    return std::nullopt;
 }
 
 bool hasLivingEntity(const Ogre::Mesh& mesh)
@@ -94,6 +96,24 @@ bool hasLivingEntity(const Ogre::Mesh& mesh)
 
 } // namespace
 
+Result<Ogre::MeshPtr> findManualMesh(const Ogre::String& name, const Ogre::Mesh& owner)
+{
+    Ogre::MeshPtr mesh;
+    try {
+        mesh = findMesh(name, owner.getGroup());
+    } catch (const Ogre::Exception& exception) {
+        return Error{ErrorCode::NotFound, "the mesh \"" + name + "\" cannot be loaded: " + exception.getDescription()};
+    }
+    if (!mesh)
+        return Error{ErrorCode::NotFound, "there is no mesh \"" + name + "\" in the group " + owner.getGroup()};
+    if (mesh.get() == &owner)
+        return badSetting("the mesh cannot be its own manual level");
+    if (mesh->getNumLodLevels() > 1)
+        return Error{ErrorCode::Unsupported,
+                     "the mesh \"" + name + "\" has levels of its own, OGRE allows none in a manual level"};
+    return mesh;
+}
+
 Result<LodPlan> planLods(const LodConfig& config)
 {
     LodPlan plan;
@@ -103,6 +123,8 @@ Result<LodPlan> planLods(const LodConfig& config)
     if (config.levels.size() >= std::numeric_limits<Ogre::ushort>::max())
         return badSetting("OGRE holds at most 65534 levels beside the first");
     if (auto error = planValues(config, plan))
+        return *error;
+    if (auto error = checkImportance(config))
         return *error;
 
     // OGRE never takes the mark of manual levels off a mesh again, so that earlier ones count as well.

@@ -14,9 +14,14 @@ struct LodPlan {
     std::vector<Ogre::MeshPtr> manualMeshes; ///< one a level, loaded; null for generated levels
 };
 
-/// Checks strategy, values and manual meshes of a configuration, and loads the latter.
-/// Errors (without file): InvalidSetting (unknown strategy; values not finite, not positive or not in order; a manual mesh
-/// that is the mesh itself), NotFound (no such manual mesh), Unsupported (a manual mesh with levels of its own, or manual
+/// The mesh of a manual level, loaded, from the group of the mesh that is to have the level.
+/// Errors (without file): NotFound (no such mesh, or it cannot be loaded), InvalidSetting (it is `owner` itself), Unsupported
+/// (it has levels of its own).
+Result<Ogre::MeshPtr> findManualMesh(const Ogre::String& name, const Ogre::Mesh& owner);
+
+/// Checks strategy, values, importances and manual meshes of a configuration, and loads the latter.
+/// Errors (without file): InvalidSetting (unknown strategy; values not finite, not positive or not in order; importances out
+/// of range or more than submeshes; a manual mesh that is the mesh itself), NotFound (no such manual mesh), Unsupported (a manual mesh with levels of its own, or manual
 /// levels now or before on a mesh with a living entity: OGRE ends the process over either).
 Result<LodPlan> planLods(const LodConfig& config);
 

@@ -5,7 +5,11 @@
 #include "OgreGuard.h"
 #include "VertexReader.h"
 
+#include <lodsmith/core/Assert.h>
+
 #include <OgreSubMesh.h>
+
+#include <algorithm>
 
 namespace lodsmith {
 
@@ -94,6 +98,33 @@ private:
     int mShared = -1;
 };
 
+void raiseImportance(const SubMeshView& subMesh, float importance, float* ofVertex)
+{
+    for (std::uint32_t i = 0; i < subMesh.indexCount; ++i) {
+        float& raised = ofVertex[subMesh.index(i)];
+        raised = std::max(raised, importance);
+    }
+}
+
+/// Gives vertex buffers that an important submesh uses a stream of importance.
+void addImportance(const std::vector<float>& ofSubMesh, const std::vector<int>& viewOf, MeshView& view, Blocks& blocks)
+{
+    std::vector<float*> streams(view.vertexBuffers.size(), nullptr);
+    for (std::size_t i = 0; i < std::min(ofSubMesh.size(), viewOf.size()); ++i) {
+        if (viewOf[i] < 0 || ofSubMesh[i] == 0.0f)
+            continue;
+        const SubMeshView& subMesh = view.subMeshes[static_cast<std::size_t>(viewOf[i])];
+        VertexBufferView& buffer = view.vertexBuffers[subMesh.vertexBuffer];
+        float*& stream = streams[subMesh.vertexBuffer];
+        if (!stream) {
+            stream = addBlock<float>(blocks, buffer.vertexCount);
+            std::fill_n(stream, buffer.vertexCount, 0.0f);
+            buffer.importance = FloatStream{stream, sizeof(float)};
+        }
+        raiseImportance(subMesh, ofSubMesh[i], stream);
+    }
+}
+
 } // namespace
 
 void MeshData::releaseArrays()
@@ -108,9 +139,12 @@ void MeshData::releaseArrays()
         subMesh.indices = nullptr;
 }
 
-Result<MeshData> MeshReader::read(const Ogre::Mesh& mesh)
+Result<MeshData> MeshReader::read(const Ogre::Mesh& mesh, const std::vector<float>& subMeshImportance)
 {
     assertMainThread();
+    LODSMITH_ASSERT(std::all_of(subMeshImportance.begin(), subMeshImportance.end(),
+                                [](float importance) { return importance >= 0.0f && importance <= 1.0f; }),
+                    "the importance of a submesh is from 0 to 1");
     return guarded(mesh.getName(), [&]() -> Result<MeshData> {
         if (mesh.getNumSubMeshes() == 0)
             return Error{ErrorCode::Unsupported, "the mesh has no submeshes (is it loaded?)"};
@@ -125,6 +159,7 @@ Result<MeshData> MeshReader::read(const Ogre::Mesh& mesh)
             }
             data.mSubMeshOf.push_back(view.value());
         }
+        addImportance(subMeshImportance, data.mSubMeshOf, data.mView, data.mBlocks);
         return data;
     });
 }

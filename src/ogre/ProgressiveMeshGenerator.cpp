@@ -103,7 +103,7 @@ Result<LodReport> generate(const LodConfig& config, Progress* progress)
     const Result<LodPlan> plan = planLods(config);
     if (!plan)
         return plan.error();
-    Result<MeshData> data = MeshReader::read(*config.mesh);
+    Result<MeshData> data = MeshReader::read(*config.mesh, config.subMeshImportance);
     if (!data)
         return data.error();
     Result<LodChain> chain = simplify(data.value().view(), targetsOf(config), config.options, progress,

@@ -65,6 +65,7 @@ TEST(Pages, completionOffersWhatFitsTheWord)
     EXPECT_EQ(complete("lodsmith generate --metric ''"), "quadric curvature\n");
     EXPECT_EQ(complete("lodsmith generate x.mesh --lock-b"), "--lock-borders\n");
     EXPECT_EQ(complete("lodsmith strip --lev"), "\n");
+    EXPECT_EQ(complete("lodsmith generate x.mesh --no-l"), "--no-loddef\n");
     EXPECT_EQ(complete("lodsmith validate --"), "--json --help\n");
 }
 

@@ -92,6 +92,14 @@ TEST(Usage, wrongOptionsAreNamedAndNothingIsDone)
         {{"--endian", "middle"}, "'middle'"},
         {{"--levels", "10:mesh:a/x.mesh,20:mesh:b/x.mesh"}, "no other level"},
         {{"--levels", "10:mesh:elsewhere/out.mesh"}, "file name of the output"},
+        {{"--loddef", ""}, "--loddef: the file has no name"},
+        {{"--loddef", "a.loddef", "--no-loddef"}, "exclude each other"},
+        {{"--loddef", "a.loddef", "--levels", "20:constant:1"}, "--loddef says what levels there are"},
+        {{"--loddef", "a.loddef", "--strategy", "distance"}, "--loddef says what levels there are"},
+        {{"--loddef", "a.loddef", "--metric", "quadric"}, "--loddef says what levels there are"},
+        {{"--loddef", "a.loddef", "--uv-weight", "1"}, "--loddef says what levels there are"},
+        {{"--loddef", "a.loddef", "--lock-borders"}, "--loddef says what levels there are"},
+        {{"--loddef", "a.loddef", "--lock-seams"}, "--loddef says what levels there are"},
         {{"--no-such-option"}, "--no-such-option"},
     };
     const TestDirectory directory;

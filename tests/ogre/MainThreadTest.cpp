@@ -2,6 +2,8 @@
 #include <support/OgreSession.h>
 
 #include <lodsmith/core/Assert.h>
+#include <lodsmith/ogre/DefinedLodConfig.h>
+#include <lodsmith/ogre/LodDefinitionManager.h>
 #include <lodsmith/ogre/MeshReader.h>
 #include <lodsmith/ogre/MeshWriter.h>
 #include <lodsmith/ogre/ProgressiveMeshGenerator.h>
@@ -51,6 +53,10 @@ TEST(MainThreadTest, EveryCallOfTheAdapterAssertsIt)
               expected);
     EXPECT_EQ(failureElsewhere([&] { MeshWriter::removeLevels(*mesh); }), expected);
     EXPECT_EQ(failureElsewhere([&] { (void)automaticLodConfig(mesh); }), expected);
+    EXPECT_EQ(failureElsewhere([&] { (void)lodConfig(LodDefinition(), mesh); }), expected);
+    EXPECT_EQ(failureElsewhere([&] { (void)LodDefinitionManager(); }), expected);
+    LodDefinitionManager definitions;
+    EXPECT_EQ(failureElsewhere([&] { (void)definitions.definitionFor(*mesh); }), expected);
     EXPECT_EQ(failureElsewhere([&] {
                   (void)ProgressiveMeshGenerator().generateLodLevels({mesh, "distance_sphere", {}, {}, false});
               }),

@@ -22,6 +22,10 @@ struct LodConfig {
     /// Lets two neighbouring generated levels keep their triangles in one index buffer a submesh, one behind the other, for
     /// half as many buffers. Mesh files keep it so.
     bool shareIndexBuffers = false;
+    /// How much each submesh counts, by its number in the mesh; those beyond the end count 0. 0..1, as
+    /// VertexBufferView::importance: deviation counts 1/(1-x) times as much on all its vertices, and 1 locks them. A vertex of
+    /// several submeshes takes the greatest.
+    std::vector<float> subMeshImportance = {};
 };
 
 /// The automatic configuration, which needs no settings: four levels by pixel_count (pixels of the bounding sphere on screen)

@@ -13,8 +13,8 @@
 namespace lodsmith {
 
 /// A copy of an OGRE mesh's level 0 in plain arrays, ready for any thread. Owns everything that view() shows: for each
-/// vertex 12 bytes of position and of normal, 4 for each texture coordinate, 16 of colour, 24 of bones and 12 for each pose
-/// or morph frame, as far as the mesh has them; indices at the width of their buffer. Can be moved, not copied.
+/// vertex 12 bytes of position and of normal, 4 for each texture coordinate, 16 of colour, 24 of bones, 12 for each pose
+/// or morph frame and 4 of importance, as far as there are such; indices at the width of their buffer. Can be moved, not copied.
 class LODSMITH_API MeshData {
 public:
     /// The arrays stay where they are when this object is moved; the MeshView itself moves with it.
@@ -54,7 +54,10 @@ public:
     /// Errors: IndexOutOfRange (an index, an index range or a pose beyond its buffer), InvalidGeometry (vertices or positions
     /// missing, or fewer than declared), Unsupported (no submeshes, positions of an unknown type, a buffer that cannot be
     /// read), OutOfMemory; file is the mesh's name, subMesh its number in the mesh, item the position of a wrong index.
-    static Result<MeshData> read(const Ogre::Mesh& mesh);
+    ///
+    /// @param subMeshImportance as LodConfig::subMeshImportance; numbers out of range are misuse. Vertex buffers that no
+    ///                          important submesh uses get no importance.
+    static Result<MeshData> read(const Ogre::Mesh& mesh, const std::vector<float>& subMeshImportance = {});
 };
 
 } // namespace lodsmith
