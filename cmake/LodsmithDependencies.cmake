@@ -10,4 +10,8 @@ mark_as_advanced(LODSMITH_XXHASH_INCLUDE_DIR)
 if(LODSMITH_OGRE)
     find_package(meshoptimizer CONFIG QUIET REQUIRED GLOBAL)
     find_package(OGRE CONFIG QUIET REQUIRED GLOBAL)
+    find_package(Threads REQUIRED GLOBAL)
+    # sigc++ 2 comes without a CMake package.
+    find_package(PkgConfig QUIET REQUIRED)
+    pkg_check_modules(SIGCXX QUIET REQUIRED IMPORTED_TARGET GLOBAL sigc++-2.0)
 endif()

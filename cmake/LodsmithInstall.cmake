@@ -44,7 +44,7 @@ lodsmith_install_library(lodsmith_cache cache
     PC lodsmith-cache REQUIRES lodsmith-core)
 if(LODSMITH_OGRE)
     lodsmith_install_library(lodsmith ogre
-        PC lodsmith REQUIRES "lodsmith-core lodsmith-loddef OGRE" LIBS_PRIVATE -lmeshoptimizer)
+        PC lodsmith REQUIRES "lodsmith-core lodsmith-loddef OGRE sigc++-2.0" LIBS_PRIVATE "-lmeshoptimizer -pthread")
 endif()
 if(LODSMITH_CLI)
     install(TARGETS lodsmith_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

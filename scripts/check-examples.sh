@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Keeps the documentation's examples true.
 #   check-examples.sh [LODSMITH]
-# Each C++ example of README.md has to stand, line for line, in tests/consumer/AddLods.cpp, which is compiled and run.
+# Each C++ example of README.md and docs/runtime.md has to stand, line for line, in a source that is compiled and run.
 # Each `lodsmith` command in a block marked `sh` of README.md and docs/ is run with LODSMITH, the program, in a directory
 # of its own that holds media/; without LODSMITH that part is left out.
 set -euo pipefail
@@ -17,14 +17,27 @@ blocks() {
     awk -v language="$1" '$0 == "```" language { inside = 1; next } /^```/ { inside = 0 } inside' "$2"
 }
 
-blocks cpp "$root/README.md" >"$work/readme.cpp"
-if [ ! -s "$work/readme.cpp" ]; then
-    say "README.md has no C++ example"
-    status=1
-elif [[ $(<"$root/tests/consumer/AddLods.cpp") != *"$(<"$work/readme.cpp")"* ]]; then
-    say "README.md: the C++ example differs from tests/consumer/AddLods.cpp"
-    status=1
-fi
+# check_examples PAGE SOURCE...: each block of C++ of the page is part of the source that has its place in the list.
+check_examples() {
+    local page=$1 example number=0
+    shift
+    while IFS= read -r -d $'\f' example; do
+        number=$((number + 1))
+        example=${example%$'\n'}
+        if [ -z "${1-}" ] || [[ $(<"$root/$1") != *"$example"* ]]; then
+            say "$page: C++ example $number differs from ${1-the sources, which have none for it}"
+            status=1
+        fi
+        shift || true
+    done < <(awk '$0 == "```cpp" { inside = 1; next } /^```/ { if (inside) printf "\f"; inside = 0 } inside' "$root/$page")
+    if [ $# -gt 0 ]; then
+        say "$page has no C++ example for $*"
+        status=1
+    fi
+}
+
+check_examples README.md tests/consumer/AddLods.cpp
+check_examples docs/runtime.md tests/ogre/DefinedLodConfigTest.cpp tests/ogre/BackgroundLods.h
 
 # run_commands FILE: runs its `lodsmith` commands in their order.
 run_commands() {

@@ -1,122 +1,24 @@
 #include <lodsmith/ogre/ProgressiveMeshGenerator.h>
 
-#include "LodPlan.h"
+#include "GenerationSteps.h"
 #include "MainThread.h"
 #include "OgreGuard.h"
-#include "VertexCacheOrder.h"
 
 #include <lodsmith/core/Assert.h>
-#include <lodsmith/ogre/MeshReader.h>
-#include <lodsmith/ogre/MeshWriter.h>
-
-#include <OgreSubMesh.h>
-
-#include <algorithm>
-#include <chrono>
-#include <cmath>
 
 namespace lodsmith {
 
 namespace {
 
-std::vector<LevelTarget> targetsOf(const LodConfig& config)
-{
-    std::vector<LevelTarget> targets;
-    for (const LodLevel& level : config.levels)
-        if (!level.isManual())
-            targets.push_back(level.target);
-    return targets;
-}
-
-/// The core numbers the submeshes of its view; people count those of the mesh.
-Error inTermsOfMesh(Error error, const MeshData& data)
-{
-    if (error.subMesh >= 0) {
-        const auto& views = data.subMeshOf();
-        error.subMesh = static_cast<int>(std::find(views.begin(), views.end(), error.subMesh) - views.begin());
-    }
-    return error;
-}
-
-double secondsToOrder(LodChain& chain)
-{
-    const auto start = std::chrono::steady_clock::now();
-    orderForVertexCache(chain);
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-std::vector<LodLevelReport> reportLevels(const LodConfig& config, const LodChain& chain)
-{
-    std::vector<LodLevelReport> reports;
-    auto next = chain.levels.begin();
-    for (const LodLevel& level : config.levels) {
-        LodLevelReport report;
-        report.value = level.value;
-        report.manual = level.isManual();
-        if (!report.manual) {
-            report.vertices = next->vertices;
-            report.triangles = next->triangles;
-            report.deviation = next->deviation;
-            report.skipped = next->skipped;
-            report.stop = next->stop;
-            ++next;
-        }
-        reports.push_back(report);
-    }
-    return reports;
-}
-
-/// What writing does to level 0, said before it is done.
-std::vector<std::string> notesOfWriting(const LodConfig& config, const MeshData& data, const LodChain& chain)
-{
-    std::vector<std::string> notes;
-    const bool anyStored = std::any_of(chain.levels.begin(), chain.levels.end(),
-                                       [](const LodChainLevel& level) { return !level.skipped; });
-    for (std::size_t i = 0; anyStored && i < data.subMeshOf().size(); ++i)
-        if (data.subMeshOf()[i] >= 0
-            && config.mesh->getSubMesh(i)->operationType != Ogre::RenderOperation::OT_TRIANGLE_LIST)
-            notes.push_back("submesh " + std::to_string(i)
-                            + ": level 0 became a triangle list too, since OGRE draws all levels of a submesh alike");
-    if (config.mesh->isEdgeListBuilt())
-        notes.emplace_back("the edge lists were freed, OGRE builds them again on demand");
-    return notes;
-}
-
-LodReport makeReport(const LodConfig& config, const MeshData& data, const LodChain& chain)
-{
-    LodReport report;
-    report.vertices = chain.vertices;
-    report.bufferVertices = chain.bufferVertices;
-    report.triangles = chain.triangles;
-    report.radius = chain.radius;
-    report.cleaned = chain.cleaned;
-    report.notes = data.notes();
-    const std::vector<std::string> more = notesOfWriting(config, data, chain);
-    report.notes.insert(report.notes.end(), more.begin(), more.end());
-    report.levels = reportLevels(config, chain);
-    return report;
-}
-
 Result<LodReport> generate(const LodConfig& config, Progress* progress)
 {
-    // Settings are checked first: nobody should wait for a long simplification to learn of a typing error.
-    const Result<LodPlan> plan = planLods(config);
-    if (!plan)
-        return plan.error();
-    Result<MeshData> data = MeshReader::read(*config.mesh, config.subMeshImportance);
-    if (!data)
-        return data.error();
-    Result<LodChain> chain = simplify(data.value().view(), targetsOf(config), config.options, progress,
-                                      [&] { data.value().releaseArrays(); });
-    if (!chain)
-        return inTermsOfMesh(chain.error(), data.value());
-    const double orderSeconds = secondsToOrder(chain.value());
-    LodReport report = makeReport(config, data.value(), chain.value());
-    report.orderSeconds = orderSeconds;
-    const Result<Done> written = MeshWriter::write(config, data.value(), chain.value());
-    if (!written)
-        return written.error();
-    return report;
+    Result<PreparedLods> prepared = prepareLods(config);
+    if (!prepared)
+        return prepared.error();
+    const Result<ComputedLods> computed = computeLods(prepared.value(), progress);
+    if (!computed)
+        return computed.error();
+    return finishLods(config, prepared.value(), computed.value());
 }
 
 } // namespace
@@ -133,11 +35,10 @@ Result<LodReport> ProgressiveMeshGenerator::generateAutoconfiguredLodLevels(cons
 {
     assertMainThread();
     LODSMITH_ASSERT(mesh, "generateAutoconfiguredLodLevels() needs a mesh");
-    const Ogre::Real radius = mesh->getBoundingSphereRadius();
-    if (!std::isfinite(radius) || !(radius > 0))
-        return Error{ErrorCode::InvalidGeometry, "the mesh has no bounding radius to derive levels from",
-                     mesh->getName()};
-    return generateLodLevels(automaticLodConfig(mesh), progress);
+    const Result<LodConfig> config = checkedAutomaticConfig(mesh);
+    if (!config)
+        return config.error();
+    return generateLodLevels(config.value(), progress);
 }
 
 } // namespace lodsmith

@@ -7,6 +7,7 @@
 #include <lodsmith/ogre/MeshReader.h>
 #include <lodsmith/ogre/MeshWriter.h>
 #include <lodsmith/ogre/ProgressiveMeshGenerator.h>
+#include <lodsmith/ogre/QueuedProgressiveMeshGenerator.h>
 
 #include <gtest/gtest.h>
 
@@ -63,6 +64,32 @@ TEST(MainThreadTest, EveryCallOfTheAdapterAssertsIt)
               expected);
     EXPECT_EQ(failureElsewhere([&] { (void)ProgressiveMeshGenerator().generateAutoconfiguredLodLevels(mesh); }),
               expected);
+}
+
+TEST(MainThreadTest, EveryCallOfTheQueueAssertsIt)
+{
+    OgreSession session;
+    const Ogre::MeshPtr mesh = makeOgreMesh("mesh", makeGrid(2, 2));
+    QueuedProgressiveMeshGenerator queue;
+    const std::function<void()> calls[] = {
+        [&] {
+            (void)queue.generateLodLevels({mesh, "distance_sphere", {}, {}, false});
+        },
+        [&] { (void)queue.generateAutoconfiguredLodLevels(mesh); },
+        [&] { queue.setPriority(mesh, 1.0f); },
+        [&] { queue.cancel(mesh); },
+        [&] { queue.cancelAll(); },
+        [&] { (void)queue.isQueued(mesh); },
+        [&] { (void)queue.queued(); },
+        [&] { (void)queue.heldBytes(); },
+        [&] { (void)queue.signals(); },
+        [&] { queue.injector().update(); },
+        [&] { queue.injector().injectNow(); },
+        [&] { queue.injector().finishAll(); },
+        [&] { const QueuedProgressiveMeshGenerator other; },
+    };
+    for (const auto& call : calls)
+        EXPECT_EQ(failureElsewhere(call), "the OGRE adapter was called off the main thread");
 }
 
 } // namespace
