@@ -37,7 +37,7 @@ check_examples() {
 }
 
 check_examples README.md tests/consumer/AddLods.cpp
-check_examples docs/runtime.md tests/ogre/DefinedLodConfigTest.cpp tests/ogre/BackgroundLods.h
+check_examples docs/runtime.md tests/ogre/LodManagerTest.cpp tests/ogre/DefinedLodConfigTest.cpp tests/ogre/BackgroundLods.h
 
 # run_commands FILE: runs its `lodsmith` commands in their order.
 run_commands() {
