@@ -45,6 +45,12 @@ lodsmith_install_library(lodsmith_cache cache
 if(LODSMITH_OGRE)
     lodsmith_install_library(lodsmith ogre
         PC lodsmith REQUIRES "lodsmith-core lodsmith-loddef OGRE sigc++-2.0" LIBS_PRIVATE "-lmeshoptimizer -pthread")
+    # With the prefix of OGRE's package, where OGRE's own plugins are.
+    get_filename_component(LODSMITH_PLUGIN_FOLDER "${OGRE_PLUGIN_DIR}" NAME)
+    install(TARGETS Plugin_Lodsmith
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/${LODSMITH_PLUGIN_FOLDER}
+        RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR}/${LODSMITH_PLUGIN_FOLDER})
+    install(FILES ${PROJECT_SOURCE_DIR}/plugin/lodsmith.cfg DESTINATION ${CMAKE_INSTALL_DATADIR}/lodsmith)
 endif()
 if(LODSMITH_CLI)
     install(TARGETS lodsmith_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

@@ -25,10 +25,11 @@ std::filesystem::path makeDirectory()
 
 } // namespace
 
-OgreSession::OgreSession() : mDirectory(makeDirectory()), mLogs(std::make_unique<Ogre::LogManager>())
+OgreSession::OgreSession(const std::string& pluginsFile)
+    : mDirectory(makeDirectory()), mLogs(std::make_unique<Ogre::LogManager>())
 {
     mLogs->createLog("", true, false, true);
-    mRoot = std::make_unique<Ogre::Root>("", "", "");
+    mRoot = std::make_unique<Ogre::Root>(pluginsFile, "", "");
     mBuffers = std::make_unique<Ogre::DefaultHardwareBufferManager>();
     Ogre::MaterialManager::getSingleton().initialise();
     auto& resources = Ogre::ResourceGroupManager::getSingleton();

@@ -18,7 +18,8 @@ namespace lodsmith::test {
 /// gone before it is.
 class OgreSession {
 public:
-    OgreSession();
+    /// @param pluginsFile a plugins.cfg whose plugins are loaded; empty for none
+    explicit OgreSession(const std::string& pluginsFile = "");
     ~OgreSession();
     OgreSession(const OgreSession&) = delete;
     OgreSession& operator=(const OgreSession&) = delete;

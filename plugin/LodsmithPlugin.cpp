@@ -1,0 +1,104 @@
+#include "PluginSettings.h"
+
+#include <lodsmith/ogre/LodDefinitionManager.h>
+#include <lodsmith/ogre/LodManager.h>
+#include <lodsmith/ogre/QueuedProgressiveMeshGenerator.h>
+
+#include <OgreException.h>
+#include <OgreFileSystemLayer.h>
+#include <OgreLogManager.h>
+#include <OgrePlugin.h>
+#include <OgreRoot.h>
+
+#include <exception>
+#include <fstream>
+#include <iterator>
+#include <memory>
+
+#if defined(_WIN32)
+#    define LODSMITH_PLUGIN_API extern "C" __declspec(dllexport)
+#else
+#    define LODSMITH_PLUGIN_API extern "C" __attribute__((visibility("default")))
+#endif
+
+namespace lodsmith {
+
+namespace {
+
+constexpr const char* kSettingsFile = "lodsmith.cfg";
+
+/// The settings in the working directory, beside the program, or where else OGRE looks for .cfg files; the defaults when
+/// there are none.
+Result<PluginSettings> readSettings()
+{
+    Ogre::String path = kSettingsFile;
+    if (!Ogre::FileSystemLayer::fileExists(path))
+        path = Ogre::FileSystemLayer(OGRE_VERSION_NAME).getConfigFilePath(path);
+    if (!Ogre::FileSystemLayer::fileExists(path))
+        return PluginSettings();
+    std::ifstream file(path, std::ios::binary);
+    if (!file)
+        return Error{ErrorCode::Io, "cannot be read", path};
+    const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    return parsePluginSettings(text, path);
+}
+
+class LodsmithPlugin final : public Ogre::Plugin {
+public:
+    const Ogre::String& getName() const override { return mName; }
+    void install() override {}
+    void uninstall() override {}
+
+    /// Once the render system is there, and the managers that need it.
+    void initialise() override
+    {
+        auto& log = Ogre::LogManager::getSingleton();
+        try {
+            const Result<PluginSettings> settings = readSettings();
+            if (!settings)
+                return log.logError("Lodsmith is off: " + describe(settings.error()));
+            mLods = std::make_unique<Lods>(settings.value());
+        } catch (const std::exception& exception) {
+            log.logError(Ogre::String("Lodsmith is off: ") + exception.what());
+        }
+    }
+
+    void shutdown() override { mLods.reset(); }
+
+private:
+    struct Lods {
+        explicit Lods(const PluginSettings& settings)
+            : queue(settings.queue), manager(definitions, queue, settings.policy)
+        {
+            queue.signals().failed.connect([](const Ogre::MeshPtr&, const Error& error) {
+                Ogre::LogManager::getSingleton().logError(describe(error));
+            });
+        }
+
+        LodDefinitionManager definitions;
+        QueuedProgressiveMeshGenerator queue;
+        LodManager manager;
+    };
+
+    Ogre::String mName = "Lodsmith";
+    std::unique_ptr<Lods> mLods;
+};
+
+std::unique_ptr<LodsmithPlugin> plugin;
+
+} // namespace
+
+} // namespace lodsmith
+
+/// Called by OGRE when it has loaded this library, and before it lets go of it.
+LODSMITH_PLUGIN_API void dllStartPlugin()
+{
+    lodsmith::plugin = std::make_unique<lodsmith::LodsmithPlugin>();
+    Ogre::Root::getSingleton().installPlugin(lodsmith::plugin.get());
+}
+
+LODSMITH_PLUGIN_API void dllStopPlugin()
+{
+    Ogre::Root::getSingleton().uninstallPlugin(lodsmith::plugin.get());
+    lodsmith::plugin.reset();
+}

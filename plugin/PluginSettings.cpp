@@ -1,0 +1,128 @@
+#include "PluginSettings.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+namespace lodsmith {
+
+namespace {
+
+constexpr std::string_view kBlank = " \t\r";
+
+std::string_view trimmed(std::string_view text)
+{
+    const std::size_t first = text.find_first_not_of(kBlank);
+    return first == std::string_view::npos ? std::string_view()
+                                           : text.substr(first, text.find_last_not_of(kBlank) - first + 1);
+}
+
+/// The whole text as a number, whatever the locale.
+template <class T>
+std::optional<T> numberIn(std::string_view text)
+{
+    T number{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc() && end == text.data() + text.size() ? std::optional<T>(number) : std::nullopt;
+}
+
+/// One setting after another. What went wrong is what would have been right.
+class Reader {
+public:
+    /// Empty when the line is in order.
+    std::string read(std::string_view key, std::string_view value)
+    {
+        if (key == "enabled")
+            return readFlag(value, mSettings.policy.enabled);
+        if (key == "automatic")
+            return readFlag(value, mSettings.policy.automatic);
+        if (key == "replace_levels")
+            return readFlag(value, mSettings.policy.replaceLevels);
+        if (key == "min_triangles")
+            return readWhole(value, mSettings.policy.minTriangles, std::numeric_limits<std::uint32_t>::max());
+        if (key == "group")
+            return readName(value, mSettings.policy.groups);
+        if (key == "name")
+            return readName(value, mSettings.policy.names);
+        if (key == "workers")
+            return readWhole(value, mSettings.queue.workers, 256u);
+        if (key == "memory_mib")
+            return readMebibytes(value);
+        if (key == "frame_ms")
+            return readBudget(value);
+        return "'" + std::string(key)
+               + "' is no setting; there are enabled, automatic, replace_levels, min_triangles, group, name, workers, "
+                 "memory_mib and frame_ms";
+    }
+
+    PluginSettings settings() const { return mSettings; }
+
+private:
+    static std::string refuse(std::string_view value, const std::string& allowed)
+    {
+        return "'" + std::string(value) + "' has to be " + allowed;
+    }
+
+    static std::string readFlag(std::string_view value, bool& flag)
+    {
+        flag = value == "yes";
+        return flag || value == "no" ? "" : refuse(value, "yes or no");
+    }
+
+    template <class T>
+    static std::string readWhole(std::string_view value, T& number, T most)
+    {
+        const auto read = numberIn<T>(value);
+        number = read.value_or(T(0));
+        return read && *read <= most ? "" : refuse(value, "a whole number from 0 to " + std::to_string(most));
+    }
+
+    static std::string readName(std::string_view value, std::vector<Ogre::String>& names)
+    {
+        names.emplace_back(value);
+        return value.empty() ? "a name is missing" : "";
+    }
+
+    std::string readMebibytes(std::string_view value)
+    {
+        std::size_t mebibytes = 0;
+        std::string trouble = readWhole<std::size_t>(value, mebibytes, std::size_t(1) << 20);
+        mSettings.queue.memoryLimit = mebibytes << 20;
+        return trouble;
+    }
+
+    std::string readBudget(std::string_view value)
+    {
+        const auto read = numberIn<double>(value);
+        mSettings.queue.frameBudget = PMInjector::Milliseconds(read.value_or(0.0));
+        return read && *read >= 0.0 && *read <= 1000.0 ? "" : refuse(value, "a number from 0 to 1000");
+    }
+
+    PluginSettings mSettings;
+};
+
+} // namespace
+
+Result<PluginSettings> parsePluginSettings(std::string_view text, const std::string& fileName)
+{
+    Reader reader;
+    for (int line = 1; !text.empty(); ++line) {
+        const std::size_t end = text.find('\n');
+        const std::string_view content = trimmed(text.substr(0, end).substr(0, text.substr(0, end).find('#')));
+        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+        if (content.empty())
+            continue;
+        const std::size_t equals = content.find('=');
+        const std::string trouble =
+            equals == std::string_view::npos
+                ? "'" + std::string(content) + "' has to be key=value"
+                : reader.read(trimmed(content.substr(0, equals)), trimmed(content.substr(equals + 1)));
+        if (!trouble.empty())
+            return Error{ErrorCode::BadFile, trouble, fileName, line};
+    }
+    return reader.settings();
+}
+
+} // namespace lodsmith
