@@ -24,8 +24,9 @@ float roundUp(double bound)
 /// Angle at a corner between the side that leaves it and the one that arrives; to 0.1.
 float angleBetween(const Vec3& leaving, const Vec3& arriving)
 {
-    const double cosine = -dot(leaving, arriving) / std::sqrt(lengthSquared(leaving) * lengthSquared(arriving));
-    return static_cast<float>(kRightAngle - kRightAngle * cosine * (0.64 + 0.36 * cosine * cosine));
+    const double cosine =
+        std::clamp(-dot(leaving, arriving) / std::sqrt(lengthSquared(leaving) * lengthSquared(arriving)), -1.0, 1.0);
+    return static_cast<float>(kRightAngle * std::max(0.0, 1.0 - cosine * (0.64 + 0.36 * cosine * cosine)));
 }
 
 } // namespace
