@@ -114,7 +114,10 @@ Result<Done> AtomicFile::checkTarget(const fs::path& target, Existing existing)
     struct stat status = {};
     if (::lstat(target.c_str(), &status) != 0)
         return Done{};
-    if (!S_ISREG(status.st_mode) && !S_ISLNK(status.st_mode))
+    // A link is replaced itself; but one to a device or a directory stands for that.
+    if (S_ISLNK(status.st_mode) && ::stat(target.c_str(), &status) != 0)
+        status.st_mode = S_IFREG;
+    if (!S_ISREG(status.st_mode))
         return pathError(ErrorCode::Io, "is there already and is no regular file", target);
     if (existing == Existing::Keep)
         return pathError(ErrorCode::Io, kIsThere, target);

@@ -20,6 +20,7 @@ namespace {
 using test::contentOf;
 using test::TestDirectory;
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::IsEmpty;
 
 Result<Done> write(const fs::path& target, const std::string& content, Existing existing)
@@ -82,6 +83,31 @@ TEST(AtomicFile, neverReplacesWhatIsNoFile)
     EXPECT_FALSE(write(directory / "pipe", "x", Existing::Replace));
     EXPECT_TRUE(fs::is_directory(directory / "directory"));
     EXPECT_TRUE(fs::is_fifo(directory / "pipe"));
+}
+
+TEST(AtomicFile, neverReplacesALinkToWhatIsNoFile)
+{
+    const TestDirectory directory;
+    for (const fs::path& target : {fs::path("/dev/null"), directory.path()}) {
+        const fs::path link = directory / "link";
+        fs::create_symlink(target, link);
+        AtomicFile file(link, Existing::Replace);
+        const Result<Done> prepared = file.prepare("new");
+        ASSERT_FALSE(prepared);
+        EXPECT_THAT(prepared.error().message, HasSubstr("is no regular file"));
+        EXPECT_TRUE(fs::is_symlink(link));
+        fs::remove(link);
+    }
+}
+
+TEST(AtomicFile, replacesALinkToNothing)
+{
+    const TestDirectory directory;
+    fs::create_symlink("nowhere", directory / "link");
+    AtomicFile file(directory / "link", Existing::Replace);
+    ASSERT_TRUE(file.prepare("new"));
+    ASSERT_TRUE(file.commit());
+    EXPECT_EQ(contentOf(directory / "link"), "new");
 }
 
 TEST(AtomicFile, replacesALinkAndNotWhatItPointsTo)
