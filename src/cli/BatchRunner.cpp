@@ -3,6 +3,7 @@
 #include "../files/AtomicFile.h"
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 
 #include <poll.h>
@@ -17,19 +18,22 @@ constexpr int kPollMilliseconds = 100;
 
 volatile std::sig_atomic_t caughtSignal = 0;
 
-/// Notes interrupts while it lives, so that children and their half-written files can be cleared away.
+// What ends a program from outside, a closed pipe behind it included.
+constexpr std::array<int, 5> kEndings = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE};
+
+/// Notes such signals while it lives, so that children and their half-written files can be cleared away.
 class SignalWatch {
 public:
     SignalWatch()
     {
         caughtSignal = 0;
-        watch(SIGINT, mInterrupt);
-        watch(SIGTERM, mTerminate);
+        for (std::size_t i = 0; i < kEndings.size(); ++i)
+            watch(kEndings[i], mBefore[i]);
     }
     ~SignalWatch()
     {
-        ::sigaction(SIGINT, &mInterrupt, nullptr);
-        ::sigaction(SIGTERM, &mTerminate, nullptr);
+        for (std::size_t i = 0; i < kEndings.size(); ++i)
+            ::sigaction(kEndings[i], &mBefore[i], nullptr);
         if (caughtSignal != 0)
             ::raise(caughtSignal);
     }
@@ -47,8 +51,7 @@ private:
             ::sigaction(signal, &action, nullptr);
     }
 
-    struct sigaction mInterrupt = {};
-    struct sigaction mTerminate = {};
+    std::array<struct sigaction, kEndings.size()> mBefore = {};
 };
 
 ChildLimits limitsFor(const BatchJob& job, const BatchOptions& options)

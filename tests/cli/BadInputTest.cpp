@@ -142,10 +142,13 @@ TEST_F(BadInputTest, aFullDiskLeavesNothingBehind)
 TEST_F(BadInputTest, anInterruptEndsEverythingAndLeavesNothing)
 {
     const std::string mesh = mDirectory.write("a.mesh", torusMesh(24));
-    const Outcome outcome = test::runProgram({"timeout", "--preserve-status", "--signal=INT", "1", LODSMITH_PROGRAM,
-                                              "generate", mesh, "-o", in("b.mesh"), "--repeat", "100000"});
-    EXPECT_EQ(outcome.exitCode, 128 + SIGINT);
-    EXPECT_THAT(mDirectory.files(), ElementsAre("a.mesh"));
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
+        const Outcome outcome =
+            test::runProgram({"timeout", "--preserve-status", "--signal=" + std::to_string(signal), "1",
+                              LODSMITH_PROGRAM, "generate", mesh, "-o", in("b.mesh"), "--repeat", "100000"});
+        EXPECT_EQ(outcome.exitCode, 128 + signal);
+        EXPECT_THAT(mDirectory.files(), ElementsAre("a.mesh"));
+    }
 }
 
 TEST_F(BadInputTest, devicesAreNoOutputs)
