@@ -1,7 +1,7 @@
 #include "PluginSettings.h"
 
-#include <charconv>
-#include <cmath>
+#include "../src/loddef/NumberText.h"
+
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -17,15 +17,6 @@ std::string_view trimmed(std::string_view text)
     const std::size_t first = text.find_first_not_of(kBlank);
     return first == std::string_view::npos ? std::string_view()
                                            : text.substr(first, text.find_last_not_of(kBlank) - first + 1);
-}
-
-/// The whole text as a number, whatever the locale.
-template <class T>
-std::optional<T> numberIn(std::string_view text)
-{
-    T number{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc() && end == text.data() + text.size() ? std::optional<T>(number) : std::nullopt;
 }
 
 /// One setting after another. What went wrong is what would have been right.
@@ -74,7 +65,7 @@ private:
     template <class T>
     static std::string readWhole(std::string_view value, T& number, T most)
     {
-        const auto read = numberIn<T>(value);
+        const auto read = plainNumberFromText<T>(value);
         number = read.value_or(T(0));
         return read && *read <= most ? "" : refuse(value, "a whole number from 0 to " + std::to_string(most));
     }
@@ -95,7 +86,7 @@ private:
 
     std::string readBudget(std::string_view value)
     {
-        const auto read = numberIn<double>(value);
+        const auto read = plainNumberFromText<double>(value);
         mSettings.queue.frameBudget = PMInjector::Milliseconds(read.value_or(0.0));
         return read && *read >= 0.0 && *read <= 1000.0 ? "" : refuse(value, "a number from 0 to 1000");
     }

@@ -1,6 +1,7 @@
 #include "Inspection.h"
 
 #include "../files/AtomicFile.h"
+#include "../ogre/TrianglesIn.h"
 #include "MeshFile.h"
 #include "MeshHeader.h"
 #include "OgreSession.h"
@@ -51,10 +52,7 @@ Json generatedLevelRecord(const Ogre::Mesh& mesh, std::size_t level)
         if (!data || !data->indexBuffer)
             continue;
         bytes += data->indexCount * data->indexBuffer->getIndexSize();
-        if (subMesh->operationType == Ogre::RenderOperation::OT_TRIANGLE_LIST)
-            triangles += data->indexCount / 3;
-        else if (subMesh->operationType >= Ogre::RenderOperation::OT_TRIANGLE_STRIP && data->indexCount > 2)
-            triangles += data->indexCount - 2;
+        triangles += trianglesIn(subMesh->operationType, data->indexCount);
     }
     return Json{{"triangles", triangles}, {"bytes", bytes}, {"manual", nullptr}};
 }

@@ -8,19 +8,26 @@
 
 namespace lodsmith {
 
-/// A whole text as a finite decimal number of type T, whatever the locale. A leading plus passes, as it does in XML Schema;
-/// nothing else that is no part of the number does, and nothing beyond the range of T.
+/// A whole text as a finite decimal number of type T, whatever the locale. Nothing else passes: no blanks, no leading
+/// plus, nothing behind the number, nothing beyond the range of T.
 template <class T>
-std::optional<T> numberFromText(std::string_view text)
+std::optional<T> plainNumberFromText(std::string_view text)
 {
-    if (text.size() > 1 && text[0] == '+' && text[1] != '-')
-        text.remove_prefix(1);
     T number{};
     const char* end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, number);
     if (error != std::errc() || stop != end || !std::isfinite(static_cast<double>(number)))
         return std::nullopt;
     return number;
+}
+
+/// The same with a leading plus, which passes in XML Schema.
+template <class T>
+std::optional<T> numberFromText(std::string_view text)
+{
+    if (text.size() > 1 && text[0] == '+' && text[1] != '-')
+        text.remove_prefix(1);
+    return plainNumberFromText<T>(text);
 }
 
 /// The shortest text that is read as the same number again, whatever the locale; without an exponent where people

@@ -1,6 +1,7 @@
 #include <lodsmith/ogre/LodManager.h>
 
 #include "MainThread.h"
+#include "TrianglesIn.h"
 
 #include <lodsmith/core/Assert.h>
 #include <lodsmith/loddef/LoddefFileName.h>
@@ -10,7 +11,7 @@
 
 #include <OgreLogManager.h>
 #include <OgreMeshManager.h>
-#include <OgreStringVector.h>
+#include <OgreString.h>
 #include <OgreSubMesh.h>
 
 #include <algorithm>
@@ -21,14 +22,22 @@ namespace lodsmith {
 
 namespace {
 
+template <class Action>
+void forEachResource(Ogre::ResourceManager& manager, const Action& action)
+{
+    auto resources = manager.getResourceIterator();
+    while (resources.hasMoreElements())
+        action(resources.getNext());
+}
+
 /// What the meshes are now: applying loads further ones.
 std::vector<Ogre::MeshPtr> loadedMeshes()
 {
     std::vector<Ogre::MeshPtr> meshes;
-    auto resources = Ogre::MeshManager::getSingleton().getResourceIterator();
-    while (resources.hasMoreElements())
-        if (auto mesh = std::dynamic_pointer_cast<Ogre::Mesh>(resources.getNext()); mesh && mesh->isLoaded())
-            meshes.push_back(std::move(mesh));
+    forEachResource(Ogre::MeshManager::getSingleton(), [&](const Ogre::ResourcePtr& resource) {
+        if (auto mesh = std::dynamic_pointer_cast<Ogre::Mesh>(resource); mesh && mesh->isLoaded())
+            meshes.push_back(mesh);
+    });
     return meshes;
 }
 
@@ -37,11 +46,8 @@ std::size_t triangleCount(const Ogre::Mesh& mesh)
     std::size_t triangles = 0;
     for (std::size_t i = 0; i < mesh.getNumSubMeshes(); ++i) {
         const Ogre::SubMesh& subMesh = *mesh.getSubMesh(i);
-        const std::size_t indices = subMesh.indexData ? subMesh.indexData->indexCount : 0;
-        if (subMesh.operationType == Ogre::RenderOperation::OT_TRIANGLE_LIST)
-            triangles += indices / 3;
-        else if (subMesh.operationType >= Ogre::RenderOperation::OT_TRIANGLE_STRIP && indices > 2)
-            triangles += indices - 2;
+        if (subMesh.indexData)
+            triangles += trianglesIn(subMesh.operationType, subMesh.indexData->indexCount);
     }
     return triangles;
 }
@@ -70,12 +76,9 @@ LodManager::LodManager(LodDefinitionManager& definitions, QueuedProgressiveMeshG
     : mDefinitions(definitions), mQueue(queue), mPolicy(policy)
 {
     assertMainThread();
-    auto resources = Ogre::MeshManager::getSingleton().getResourceIterator();
-    while (resources.hasMoreElements())
-        resources.getNext()->addListener(this);
-    auto known = mDefinitions.getResourceIterator();
-    while (known.hasMoreElements())
-        known.getNext()->addListener(this);
+    const auto listen = [this](const Ogre::ResourcePtr& resource) { resource->addListener(this); };
+    forEachResource(Ogre::MeshManager::getSingleton(), listen);
+    forEachResource(mDefinitions, listen);
     Ogre::ResourceGroupManager::getSingleton().addResourceGroupListener(this);
     for (const Ogre::MeshPtr& mesh : loadedMeshes())
         meet(mesh);
@@ -84,12 +87,9 @@ LodManager::LodManager(LodDefinitionManager& definitions, QueuedProgressiveMeshG
 LodManager::~LodManager()
 {
     Ogre::ResourceGroupManager::getSingleton().removeResourceGroupListener(this);
-    auto resources = Ogre::MeshManager::getSingleton().getResourceIterator();
-    while (resources.hasMoreElements())
-        resources.getNext()->removeListener(this);
-    auto known = mDefinitions.getResourceIterator();
-    while (known.hasMoreElements())
-        known.getNext()->removeListener(this);
+    const auto leave = [this](const Ogre::ResourcePtr& resource) { resource->removeListener(this); };
+    forEachResource(Ogre::MeshManager::getSingleton(), leave);
+    forEachResource(mDefinitions, leave);
 }
 
 Result<LodDecision> LodManager::apply(const Ogre::MeshPtr& mesh)
@@ -189,10 +189,10 @@ void LodManager::loadingComplete(Ogre::Resource* resource)
 {
     if (mIsApplying)
         return;
-    if (const auto* definition = dynamic_cast<LodDefinitionResource*>(resource))
+    const Ogre::ResourcePtr shared = resource->getCreator()->getByHandle(resource->getHandle());
+    if (const auto definition = std::dynamic_pointer_cast<LodDefinitionResource>(shared))
         applyToMeshesOf(*definition);
-    else if (auto mesh =
-                 std::dynamic_pointer_cast<Ogre::Mesh>(resource->getCreator()->getByHandle(resource->getHandle())))
+    else if (const auto mesh = std::dynamic_pointer_cast<Ogre::Mesh>(shared))
         meet(mesh);
 }
 

@@ -22,16 +22,6 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-LodConfig proportional(const Ogre::MeshPtr& mesh, const std::vector<double>& removed)
-{
-    LodConfig config;
-    config.mesh = mesh;
-    for (std::size_t i = 0; i < removed.size(); ++i)
-        config.levels.push_back(
-            {static_cast<Ogre::Real>(10 * (i + 1)), {LevelTarget::Kind::Proportional, removed[i]}, {}});
-    return config;
-}
-
 std::size_t trianglesOf(const Ogre::Mesh& mesh, std::size_t level)
 {
     std::size_t count = 0;

@@ -117,12 +117,7 @@ Ogre::MeshPtr QueueTest::grid(const std::string& name, std::uint32_t cells)
 
 LodConfig QueueTest::config(const Ogre::MeshPtr& mesh, const std::vector<double>& removed)
 {
-    LodConfig config;
-    config.mesh = mesh;
-    for (std::size_t i = 0; i < removed.size(); ++i)
-        config.levels.push_back(
-            {static_cast<Ogre::Real>(10 * (i + 1)), {LevelTarget::Kind::Proportional, removed[i]}, {}});
-    return config;
+    return proportional(mesh, removed);
 }
 
 void QueueTest::enqueue(const Ogre::MeshPtr& mesh, float priority)

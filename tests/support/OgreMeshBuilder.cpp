@@ -226,6 +226,16 @@ LodChain shortenedChain(const MeshView& mesh, const std::vector<double>& shares)
     return chain;
 }
 
+LodConfig proportional(const Ogre::MeshPtr& mesh, const std::vector<double>& removed)
+{
+    LodConfig config;
+    config.mesh = mesh;
+    for (std::size_t i = 0; i < removed.size(); ++i)
+        config.levels.push_back(
+            {static_cast<Ogre::Real>(10 * (i + 1)), {LevelTarget::Kind::Proportional, removed[i]}, {}});
+    return config;
+}
+
 std::vector<std::string> brokenLevels(const Ogre::Mesh& mesh)
 {
     std::vector<std::string> broken;

@@ -2,6 +2,8 @@
 
 #include "MeshBuilders.h"
 
+#include <lodsmith/ogre/LodConfig.h>
+
 #include <OgreMesh.h>
 #include <OgreRenderOperation.h>
 
@@ -30,6 +32,9 @@ void setIndices(Ogre::SubMesh& subMesh, const std::vector<std::uint32_t>& indice
 
 /// The indices that are drawn.
 std::vector<std::uint32_t> indicesOf(const Ogre::IndexData& data);
+
+/// Levels at 10, 20, ... that remove these shares of the vertices.
+LodConfig proportional(const Ogre::MeshPtr& mesh, const std::vector<double>& removed);
 
 /// Levels that hold the first triangles of each submesh, `shares` (0..1) of them: a chain without a simplifier.
 LodChain shortenedChain(const MeshView& mesh, const std::vector<double>& shares);

@@ -8,25 +8,9 @@
 #include <OgreResourceGroupManager.h>
 #include <OgreRoot.h>
 
-#include <cstdlib>
-#include <stdexcept>
-
 namespace lodsmith::test {
 
-namespace {
-
-std::filesystem::path makeDirectory()
-{
-    std::string name = (std::filesystem::temp_directory_path() / "lodsmith-XXXXXX").string();
-    if (!mkdtemp(name.data()))
-        throw std::runtime_error("no temporary directory");
-    return name;
-}
-
-} // namespace
-
-OgreSession::OgreSession(const std::string& pluginsFile)
-    : mDirectory(makeDirectory()), mLogs(std::make_unique<Ogre::LogManager>())
+OgreSession::OgreSession(const std::string& pluginsFile) : mLogs(std::make_unique<Ogre::LogManager>())
 {
     mLogs->createLog("", true, false, true);
     mRoot = std::make_unique<Ogre::Root>(pluginsFile, "", "");
@@ -34,7 +18,7 @@ OgreSession::OgreSession(const std::string& pluginsFile)
     Ogre::MaterialManager::getSingleton().initialise();
     auto& resources = Ogre::ResourceGroupManager::getSingleton();
     resources.createResourceGroup(mGroup);
-    resources.addResourceLocation(mDirectory.string(), "FileSystem", mGroup);
+    resources.addResourceLocation(directory().string(), "FileSystem", mGroup);
     resources.initialiseResourceGroup(mGroup);
 }
 
@@ -42,14 +26,12 @@ OgreSession::~OgreSession()
 {
     mRoot.reset();
     mBuffers.reset();
-    std::error_code ignored;
-    std::filesystem::remove_all(mDirectory, ignored);
 }
 
 Ogre::MeshPtr OgreSession::saveAndReload(const Ogre::MeshPtr& mesh)
 {
     const std::string name = "saved" + std::to_string(mSaved++) + ".mesh";
-    Ogre::MeshSerializer().exportMesh(mesh.get(), (mDirectory / name).string());
+    Ogre::MeshSerializer().exportMesh(mesh.get(), (directory() / name).string());
     return loadSaved(name);
 }
 
@@ -57,8 +39,8 @@ Ogre::MeshPtr OgreSession::loadSaved(const std::string& name)
 {
     // OGRE lists a location once, when it is added.
     auto& resources = Ogre::ResourceGroupManager::getSingleton();
-    resources.removeResourceLocation(mDirectory.string(), mGroup);
-    resources.addResourceLocation(mDirectory.string(), "FileSystem", mGroup);
+    resources.removeResourceLocation(directory().string(), mGroup);
+    resources.addResourceLocation(directory().string(), "FileSystem", mGroup);
     return Ogre::MeshManager::getSingleton().load(name, mGroup);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "TestDirectory.h"
+
 #include <OgreMesh.h>
 
 #include <filesystem>
@@ -25,7 +27,7 @@ public:
     OgreSession& operator=(const OgreSession&) = delete;
 
     /// An empty directory that is the resource location of group() and vanishes with the session.
-    const std::filesystem::path& directory() const { return mDirectory; }
+    const std::filesystem::path& directory() const { return mDirectory.path(); }
     const std::string& group() const { return mGroup; }
 
     /// Writes a mesh to directory() and loads it again as another resource.
@@ -36,7 +38,7 @@ public:
     Ogre::MeshPtr load(const std::filesystem::path& file);
 
 private:
-    std::filesystem::path mDirectory;
+    TestDirectory mDirectory;
     std::string mGroup = "Lodsmith tests";
     std::unique_ptr<Ogre::LogManager> mLogs;
     std::unique_ptr<Ogre::Root> mRoot;

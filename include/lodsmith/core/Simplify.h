@@ -56,8 +56,8 @@ struct SimplifyOptions {
 /// together, so the levels have no cracks; no level has a degenerate or doubled triangle, a hole or a non-manifold edge
 /// that the input did not have, and no triangle turns by more than 78 degrees in one collapse, or against the surface
 /// that the input has at its corners. Small pieces that hang together with nothing else vanish whole, all but the last; a
-/// target of a count is passed by one of them only where nothing else is left. A target that cannot be reached is no error: the level holds what could be done and says
-/// why it stopped.
+/// target of a count is passed by one of them only where nothing else is left. A target that cannot be reached is no
+/// error: the level holds what could be done and says why it stopped.
 ///
 /// Errors: InvalidSetting (a target or weight out of range or not a number), InvalidGeometry (a referenced position or
 /// attribute is not finite, a position is beyond +-1e18, an importance outside 0..1), IndexOutOfRange, Cancelled,
