@@ -33,7 +33,7 @@ CLI::Option* addCountOption(CLI::App& command, const std::string& name, unsigned
 
 /// How results are written.
 struct WriteOptions {
-    Existing existing = Existing::Keep;
+    Overwriting overwriting;
     MeshFormat format;
 };
 

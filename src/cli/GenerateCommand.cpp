@@ -171,7 +171,7 @@ BatchJob makeJob(const PlannedFile& file, const GenerateSettings& settings)
         if (file.error)
             return *file.error;
         // Before the work rather than after it; writing looks again.
-        if (auto allowed = checkOutput(file.output, settings.write.existing); !allowed)
+        if (auto allowed = checkOutput(file.output, settings.write.overwriting.existing); !allowed)
             return allowed.error();
         return generateFile(settings, file, progress);
     };

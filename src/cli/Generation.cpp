@@ -158,7 +158,7 @@ Result<Done> writeResult(const GenerateSettings& settings, const PlannedFile& fi
     const Result<std::string> bytes = meshBytes(mesh, settings.write.format);
     if (!bytes)
         return bytes.error();
-    return writeMeshFiles(file.output, bytes.value(), companions, settings.write.existing);
+    return writeMeshFiles(file.output, bytes.value(), companions, settings.write.overwriting);
 }
 
 } // namespace

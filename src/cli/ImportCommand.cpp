@@ -39,7 +39,7 @@ fs::path outputOf(const ImportArguments& arguments)
 
 Result<Json> importFile(const ImportArguments& arguments, const fs::path& output)
 {
-    if (auto allowed = checkOutput(output, arguments.write.existing); !allowed)
+    if (auto allowed = checkOutput(output, arguments.write.overwriting.existing); !allowed)
         return allowed.error();
     OgreSession session;
     const Ogre::MeshPtr mesh = session.create(output.filename().string());
@@ -49,7 +49,7 @@ Result<Json> importFile(const ImportArguments& arguments, const fs::path& output
     const Result<std::string> bytes = meshBytes(*mesh, arguments.write.format);
     if (!bytes)
         return bytes.error();
-    const Result<Done> written = writeMeshFiles(output, bytes.value(), {}, arguments.write.existing);
+    const Result<Done> written = writeMeshFiles(output, bytes.value(), {}, arguments.write.overwriting);
     if (!written)
         return written.error();
     return Json{{"submeshes", report.value().subMeshes},

@@ -108,10 +108,26 @@ Result<Copy> prepareCopy(const Companion& companion, const fs::path& target, Exi
     return copy;
 }
 
-Result<Done> commitCopy(const Copy& copy)
+/// Meshes of different directories that go to one may bring different files of one name: two skeletons, for instance.
+Result<Done> checkOtherMeshes(const Copy& copy, fs::file_time_type runBegan)
+{
+    std::error_code absent;
+    const fs::file_time_type written = fs::last_write_time(copy.target, absent);
+    if (absent || written < runBegan || hasContent(copy.target, copy.content))
+        return Done{};
+    Error error =
+        withMessage(ErrorCode::InvalidSetting, "another mesh of this run has brought a different file of this name; "
+                                               "give the two meshes different output directories");
+    error.file = copy.target.string();
+    return error;
+}
+
+Result<Done> commitCopy(const Copy& copy, fs::file_time_type runBegan)
 {
     if (!copy.file)
         return Done{};
+    if (auto free = checkOtherMeshes(copy, runBegan); !free)
+        return free;
     auto committed = copy.file->commit();
     // Another process may have brought the same file in the meantime, for a mesh with the same skeleton.
     return committed || hasContent(copy.target, copy.content) ? Result<Done>(Done{}) : committed;
@@ -188,22 +204,22 @@ Result<Done> checkOutput(const fs::path& target, Existing existing)
 }
 
 Result<Done> writeMeshFiles(const fs::path& target, const std::string& bytes, const std::vector<Companion>& companions,
-                            Existing existing)
+                            const Overwriting& overwriting)
 {
     // All are prepared before the first appears: whatever can run out has run out by then.
     std::vector<Copy> copies;
     for (const Companion& companion : companions) {
-        Result<Copy> copy = prepareCopy(companion, target.parent_path() / companion.name, existing);
+        Result<Copy> copy = prepareCopy(companion, target.parent_path() / companion.name, overwriting.existing);
         if (!copy)
             return copy.error();
         copies.push_back(std::move(copy).value());
     }
-    AtomicFile mesh(target, existing);
+    AtomicFile mesh(target, overwriting.existing);
     if (auto prepared = mesh.prepare(bytes); !prepared)
-        return withHint(prepared.error(), target, existing);
+        return withHint(prepared.error(), target, overwriting.existing);
 
     for (const Copy& copy : copies)
-        if (auto committed = commitCopy(copy); !committed)
+        if (auto committed = commitCopy(copy, overwriting.runBegan); !committed)
             return committed;
     return mesh.commit();
 }

@@ -45,9 +45,17 @@ std::vector<Companion> findSkeleton(const Ogre::Mesh& mesh, const std::filesyste
 /// AtomicFile::checkTarget(), whose error says so when --force would help.
 Result<Done> checkOutput(const std::filesystem::path& target, Existing existing);
 
+/// What becomes of files that are there already.
+struct Overwriting {
+    Existing existing = Existing::Keep;
+    /// What was written since then belongs to another mesh of the same run.
+    std::filesystem::file_time_type runBegan = std::filesystem::file_time_type::clock::now();
+};
+
 /// Writes a mesh and copies its companions, all or nothing. A companion that is there already with the same content
-/// stays as it is, whatever `existing` says. Errors: Io, NotFound; file is the one that failed.
+/// stays as it is; one with other content that another mesh of the run has brought is never replaced.
+/// Errors: Io, NotFound, InvalidSetting (two companions of one name); file is the one that failed.
 Result<Done> writeMeshFiles(const std::filesystem::path& target, const std::string& bytes,
-                            const std::vector<Companion>& companions, Existing existing);
+                            const std::vector<Companion>& companions, const Overwriting& overwriting);
 
 } // namespace lodsmith::cli

@@ -37,7 +37,7 @@ Result<Json> stripFile(const PlannedFile& file, const WriteOptions& options)
     const Result<std::string> bytes = meshBytes(*mesh.value(), options.format);
     if (!bytes)
         return bytes.error();
-    const Result<Done> written = writeMeshFiles(file.output, bytes.value(), companions, options.existing);
+    const Result<Done> written = writeMeshFiles(file.output, bytes.value(), companions, options.overwriting);
     if (!written)
         return written.error();
     return Json{{"levels", levels}, {"notes", notes}};

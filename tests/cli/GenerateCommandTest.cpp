@@ -159,6 +159,20 @@ TEST_F(GenerateCommandTest, theSkeletonGoesAlong)
     EXPECT_EQ(contentOf(in("out/a.skeleton")), contentOf(in("in/a.skeleton")));
 }
 
+TEST_F(GenerateCommandTest, differentSkeletonsOfOneNameAreRefusedEvenWithForce)
+{
+    std::vector<std::string> arguments{"generate", "-o", in("out/"), "--levels", kHalves, "--force"};
+    for (const std::string name : {"a", "b"}) {
+        arguments.push_back(mDirectory.write(name + "/" + name + ".mesh", torusMesh(kSegments, "x.skeleton")));
+        mDirectory.write(name + "/x.skeleton", "bones of " + name);
+    }
+    const Outcome outcome = runLodsmith(arguments);
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("another mesh of this run"));
+    EXPECT_THAT(mDirectory.files(),
+                ElementsAre("a/a.mesh", "a/x.skeleton", "b/b.mesh", "b/x.skeleton", "out/a.mesh", "out/x.skeleton"));
+}
+
 TEST_F(GenerateCommandTest, aSkeletonThatIsMissingIsNoted)
 {
     const std::string mesh = mDirectory.write("a.mesh", torusMesh(kSegments, "gone.skeleton"));

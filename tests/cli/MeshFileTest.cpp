@@ -17,9 +17,11 @@ namespace {
 using lodsmith::test::contentOf;
 using lodsmith::test::TestDirectory;
 using test::torusMesh;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 } // namespace
 
@@ -98,13 +100,32 @@ TEST(MeshFile, aSkeletonBesideTheMeshGoesAlong)
     const auto companions = findSkeleton(*session.load(path).value(), path, notes);
     ASSERT_EQ(companions.size(), 1u);
     EXPECT_THAT(notes, IsEmpty());
-    ASSERT_TRUE(writeMeshFiles(directory / "out/torus.mesh", "mesh", companions, Existing::Keep));
+    ASSERT_TRUE(writeMeshFiles(directory / "out/torus.mesh", "mesh", companions, {Existing::Keep}));
     EXPECT_EQ(contentOf(directory / "out/sub/x.skeleton"), "bones");
     // The same content may come again, for another mesh; another content may not.
-    EXPECT_TRUE(writeMeshFiles(directory / "out/second.mesh", "mesh", companions, Existing::Keep));
+    EXPECT_TRUE(writeMeshFiles(directory / "out/second.mesh", "mesh", companions, {Existing::Keep}));
     directory.write("sub/x.skeleton", "other bones");
-    EXPECT_FALSE(writeMeshFiles(directory / "out/third.mesh", "mesh", companions, Existing::Keep));
+    EXPECT_FALSE(writeMeshFiles(directory / "out/third.mesh", "mesh", companions, {Existing::Keep}));
     EXPECT_FALSE(fs::exists(directory / "out/third.mesh"));
+}
+
+TEST(MeshFile, twoMeshesOfOneRunDoNotReplaceEachOthersSkeletons)
+{
+    const TestDirectory directory;
+    directory.write("first/x.skeleton", "bones");
+    directory.write("second/x.skeleton", "other bones");
+    directory.write("out/x.skeleton", "bones of an earlier run");
+    const auto now = fs::file_time_type::clock::now();
+    fs::last_write_time(directory / "out/x.skeleton", now - std::chrono::hours(1));
+    const Overwriting run{Existing::Replace, now - std::chrono::minutes(1)};
+    const std::vector<Companion> first{{directory / "first/x.skeleton", "x.skeleton"}};
+    const std::vector<Companion> second{{directory / "second/x.skeleton", "x.skeleton"}};
+    ASSERT_TRUE(writeMeshFiles(directory / "out/first.mesh", "mesh", first, run));
+    const Result<Done> refused = writeMeshFiles(directory / "out/second.mesh", "mesh", second, run);
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(describe(refused.error()), HasSubstr("out/x.skeleton: another mesh of this run"));
+    EXPECT_EQ(contentOf(directory / "out/x.skeleton"), "bones");
+    EXPECT_THAT(directory.files(), Not(Contains("out/second.mesh")));
 }
 
 TEST(MeshFile, skeletonNamesThatLeadOutsideAreLeftAlone)
@@ -126,7 +147,7 @@ TEST(MeshFile, nothingAppearsWhenACompanionIsMissing)
 {
     const TestDirectory directory;
     EXPECT_FALSE(
-        writeMeshFiles(directory / "out/x.mesh", "mesh", {{directory / "nothing", "nothing"}}, Existing::Keep));
+        writeMeshFiles(directory / "out/x.mesh", "mesh", {{directory / "nothing", "nothing"}}, {Existing::Keep}));
     EXPECT_THAT(directory.files(), IsEmpty());
 }
 
