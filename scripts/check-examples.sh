@@ -36,7 +36,7 @@ check_examples() {
     fi
 }
 
-check_examples README.md tests/consumer/AddLods.cpp
+check_examples README.md tests/consumer/AddLods.cpp tests/ogre/LodManagerTest.cpp
 check_examples docs/runtime.md tests/ogre/LodManagerTest.cpp tests/ogre/DefinedLodConfigTest.cpp tests/ogre/BackgroundLods.h
 
 # run_commands FILE: runs its `lodsmith` commands in their order.

@@ -233,7 +233,7 @@ bool PatchDeviation::project(const Fan& fan, const Vec3& centre)
         const Vec3 area = cross(Vec3{mU[i], mV[i], mZ[i]}, Vec3{mU[j], mV[j], mZ[j]});
         if (isHidden(area.z, lengthSquared(area)))
             return false;
-        rounds += (side(i) < 0.0) & (side(j) >= 0.0);
+        rounds += int(side(i) < 0.0) & int(side(j) >= 0.0);
         mOld[i] = mBefore[fan.faces[i]];
         mCovered[i] = mDifference[i] = 0.0;
     }

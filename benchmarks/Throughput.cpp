@@ -1,0 +1,106 @@
+#include "Throughput.h"
+
+#include "MarkdownTable.h"
+#include "RuntimeMeshes.h"
+#include "Timing.h"
+
+#include <lodsmith/cache/LodCache.h>
+
+#include <filesystem>
+#include <functional>
+#include <ostream>
+
+#include <unistd.h>
+
+namespace lodsmith::benchmarks {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint32_t kMostTriangles = 100100;
+
+using Subjects = std::vector<std::unique_ptr<Subject>>;
+
+/// A directory that goes with its object.
+class CacheDirectory {
+public:
+    CacheDirectory() { fs::create_directories(mPath); }
+    ~CacheDirectory()
+    {
+        std::error_code ignored;
+        fs::remove_all(mPath, ignored);
+    }
+    CacheDirectory(const CacheDirectory&) = delete;
+    CacheDirectory& operator=(const CacheDirectory&) = delete;
+
+    std::shared_ptr<LodCache> open() const { return std::make_shared<LodCache>(mPath, std::uint64_t(1) << 30); }
+    void clear() const
+    {
+        for (const auto& entry : fs::directory_iterator(mPath))
+            fs::remove(entry.path());
+    }
+
+private:
+    fs::path mPath = fs::temp_directory_path() / ("lodsmith-benchmark-" + std::to_string(getpid()));
+};
+
+double direct(const Subjects& subjects)
+{
+    const Stopwatch watch;
+    for (const auto& subject : subjects)
+        expect(ProgressiveMeshGenerator().generateLodLevels(halvedLevels(subject->mesh())));
+    return watch.seconds();
+}
+
+double queued(const Subjects& subjects, const QueueOptions& options)
+{
+    const Stopwatch watch;
+    QueuedProgressiveMeshGenerator queue(options);
+    for (const auto& subject : subjects)
+        expect(queue.generateLodLevels(halvedLevels(subject->mesh())));
+    queue.injector().finishAll();
+    return watch.seconds();
+}
+
+struct Way {
+    std::string name;
+    std::function<double()> run;
+    std::vector<double> seconds = {};
+};
+
+} // namespace
+
+void printThroughput(std::ostream& out, int rounds)
+{
+    const Subjects subjects = subjectsUpTo(kMostTriangles);
+    const CacheDirectory directory;
+    const auto withCache = [&] {
+        return QueueOptions{1, std::size_t(256) << 20, PMInjector::Milliseconds(2), directory.open()};
+    };
+    std::vector<Way> ways{{"direct", [&] { return direct(subjects); }},
+                          {"one worker", [&] { return queued(subjects, {1}); }},
+                          {"two workers", [&] { return queued(subjects, {2}); }},
+                          {"one worker, empty cache",
+                           [&] {
+                               directory.clear();
+                               return queued(subjects, withCache());
+                           }},
+                          {"one worker, from the cache", [&] { return queued(subjects, withCache()); }}};
+    for (int round = 0; round <= rounds; ++round)
+        for (Way& way : ways) {
+            const double seconds = way.run();
+            for (const auto& subject : subjects)
+                subject->removeLevels();
+            if (round > 0) // the first warms up
+                way.seconds.push_back(seconds);
+        }
+    const double one = median(ways[1].seconds);
+    MarkdownTable table({"way", "ms", "one worker's time / this"});
+    for (const Way& way : ways)
+        table.addRow({way.name, fixed(1000 * median(way.seconds), 1), fixed(one / median(way.seconds), 2)});
+    out << "## Throughput\n\n" << subjects.size() << " meshes.\n\n";
+    table.print(out);
+}
+
+} // namespace lodsmith::benchmarks
