@@ -36,8 +36,9 @@ check_examples() {
     fi
 }
 
-check_examples README.md tests/consumer/AddLods.cpp tests/ogre/LodManagerTest.cpp
-check_examples docs/runtime.md tests/ogre/LodManagerTest.cpp tests/ogre/DefinedLodConfigTest.cpp tests/ogre/BackgroundLods.h
+check_examples README.md tests/consumer/AddLods.cpp src/samples/LibraryLods.h
+check_examples docs/runtime.md tests/ogre/LodManagerTest.cpp tests/ogre/DefinedLodConfigTest.cpp tests/ogre/BackgroundLods.h \
+    src/samples/LibraryLods.h
 
 # run_commands FILE: runs its `lodsmith` commands in their order.
 run_commands() {

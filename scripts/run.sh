@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds Lodsmith and runs it.
 #   scripts/run.sh              makes LODs for a model of media/ and says what to try next
+#   scripts/run.sh sample ...   runs the sample client, a window in which levels change (docs/runtime.md)
 #   scripts/run.sh ARGUMENT...  runs `lodsmith ARGUMENT...`
 set -euo pipefail
 # shellcheck source=scripts/common.sh
@@ -17,6 +18,10 @@ build release lodsmith_cli
 # Each first word that starts another program than `lodsmith` has its line here.
 case "${1-}" in
 "") ;;
+sample)
+    build release lodsmith_sample
+    exec "$root/build/release/bin/lodsmith_sample" "${@:2}"
+    ;;
 *) exec "$lodsmith" "$@" ;;
 esac
 
@@ -31,5 +36,6 @@ To try next, in $root:
     ./scripts/run.sh measure build/demo/$demo_model.mesh
     ./scripts/run.sh generate media/ -o build/demo/all/ --force
     ./scripts/run.sh import YOUR-MODEL.obj -o build/demo/yours.mesh
+    ./scripts/run.sh sample
     ./scripts/run.sh generate --help
 EOF
