@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <sstream>
 
 namespace lodsmith {
 
@@ -31,6 +32,15 @@ public:
             return readFlag(value, mSettings.policy.automatic);
         if (key == "replace_levels")
             return readFlag(value, mSettings.policy.replaceLevels);
+        if (key == "metric")
+            return readMetric(value);
+        if (key == "levels")
+            return readLevels(value);
+        if (key == "quality")
+            return readNumber(value, mSettings.policy.automaticLods.quality, AutomaticLods::kMinQuality,
+                              AutomaticLods::kMaxQuality);
+        if (key == "reinitialise_entities")
+            return readFlag(value, mSettings.policy.reinitialiseEntities);
         if (key == "min_triangles")
             return readWhole(value, mSettings.policy.minTriangles, std::numeric_limits<std::uint32_t>::max());
         if (key == "group")
@@ -44,8 +54,8 @@ public:
         if (key == "frame_ms")
             return readBudget(value);
         return "'" + std::string(key)
-               + "' is no setting; there are enabled, automatic, replace_levels, min_triangles, group, name, workers, "
-                 "memory_mib and frame_ms";
+               + "' is no setting; there are enabled, automatic, metric, levels, quality, replace_levels, "
+                 "reinitialise_entities, min_triangles, group, name, workers, memory_mib and frame_ms";
     }
 
     PluginSettings settings() const { return mSettings; }
@@ -76,6 +86,29 @@ private:
         return value.empty() ? "a name is missing" : "";
     }
 
+    static std::string readNumber(std::string_view value, double& number, double least, double most)
+    {
+        const auto read = plainNumberFromText<double>(value);
+        number = read.value_or(least);
+        std::ostringstream allowed;
+        allowed << "a number from " << least << " to " << most;
+        return read && *read >= least && *read <= most ? "" : refuse(value, allowed.str());
+    }
+
+    std::string readMetric(std::string_view value)
+    {
+        mSettings.policy.automaticLods.metric = value == "quadric" ? Metric::Quadric : Metric::Curvature;
+        return value == "quadric" || value == "curvature" ? "" : refuse(value, "quadric or curvature");
+    }
+
+    std::string readLevels(std::string_view value)
+    {
+        unsigned& levels = mSettings.policy.automaticLods.levels;
+        const std::string trouble = readWhole(value, levels, AutomaticLods::kMaxLevels);
+        return trouble.empty() && levels == 0 ? refuse(value, "at least 1; automatic=no switches automatic levels off")
+                                              : trouble;
+    }
+
     std::string readMebibytes(std::string_view value)
     {
         std::size_t mebibytes = 0;
@@ -86,9 +119,10 @@ private:
 
     std::string readBudget(std::string_view value)
     {
-        const auto read = plainNumberFromText<double>(value);
-        mSettings.queue.frameBudget = PMInjector::Milliseconds(read.value_or(0.0));
-        return read && *read >= 0.0 && *read <= 1000.0 ? "" : refuse(value, "a number from 0 to 1000");
+        double milliseconds = 0.0;
+        std::string trouble = readNumber(value, milliseconds, 0.0, 1000.0);
+        mSettings.queue.frameBudget = PMInjector::Milliseconds(milliseconds);
+        return trouble;
     }
 
     PluginSettings mSettings;

@@ -1,5 +1,6 @@
 #include "MeshFile.h"
 
+#include "../ogre/OgreVersion.h"
 #include "MeshStreams.h"
 #include "OgreSession.h"
 
@@ -29,18 +30,16 @@ bool swapsBytes(Ogre::Serializer::Endian endian)
 
 bool canSwap(const Ogre::VertexElement& element)
 {
-    switch (Ogre::VertexElement::getBaseType(element.getType())) {
+    const auto type = Ogre::VertexElement::getBaseType(element.getType());
+    switch (type) {
     case Ogre::VET_FLOAT1:
     case Ogre::VET_DOUBLE1:
     case Ogre::VET_SHORT1:
     case Ogre::VET_USHORT1:
     case Ogre::VET_INT1:
     case Ogre::VET_UINT1:
-    case Ogre::VET_UBYTE4:
-    case Ogre::VET_COLOUR:
-    case Ogre::VET_COLOUR_ABGR:
-    case Ogre::VET_COLOUR_ARGB: return true;
-    default: return false;
+    case Ogre::VET_UBYTE4: return true;
+    default: return packedColour(type) != PackedColour::None;
     }
 }
 

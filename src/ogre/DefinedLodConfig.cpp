@@ -1,5 +1,7 @@
 #include <lodsmith/ogre/DefinedLodConfig.h>
 
+#include "BesideDefinition.h"
+#include "GenerationSteps.h"
 #include "LodPlan.h"
 #include "MainThread.h"
 
@@ -8,8 +10,6 @@
 
 #include <OgreStringConverter.h>
 
-#include <cmath>
-#include <filesystem>
 #include <utility>
 
 namespace lodsmith {
@@ -64,8 +64,7 @@ private:
         Result<Ogre::MeshPtr> mesh = findManualMesh(name, mMesh);
         if (mesh || mesh.error().code != ErrorCode::NotFound)
             return mesh;
-        const std::filesystem::path definition(mDefinitionName);
-        const Ogre::String relative = (definition.parent_path() / name).lexically_normal().generic_string();
+        const Ogre::String relative = besideDefinition(mDefinitionName, name);
         if (relative == name)
             return mesh;
         Result<Ogre::MeshPtr> beside = findManualMesh(relative, mMesh);
@@ -102,7 +101,7 @@ Error about(Error error, const Ogre::String& file)
 } // namespace
 
 Result<DefinedLodConfig> lodConfig(const LodDefinition& definition, const Ogre::MeshPtr& mesh,
-                                   const Ogre::String& definitionName)
+                                   const Ogre::String& definitionName, const AutomaticLods& automatic)
 {
     assertMainThread();
     LODSMITH_ASSERT(mesh, "lodConfig() needs a mesh");
@@ -111,12 +110,10 @@ Result<DefinedLodConfig> lodConfig(const LodDefinition& definition, const Ogre::
         return about(errors.front(), name);
     if (!definition.automatic)
         return DefinedLevels(definition, mesh, name).build();
-    const Ogre::Real radius = mesh->getBoundingSphereRadius();
-    if (!std::isfinite(radius) || !(radius > 0))
-        return about(
-            Error{ErrorCode::InvalidGeometry, "the mesh has no bounding radius to derive automatic levels from"},
-            mesh->getName());
-    return DefinedLodConfig{automaticLodConfig(mesh), {}};
+    Result<LodConfig> config = checkedAutomaticConfig(mesh, automatic);
+    if (!config)
+        return config.error();
+    return DefinedLodConfig{std::move(config).value(), {}};
 }
 
 } // namespace lodsmith

@@ -95,13 +95,15 @@ LodReport makeReport(const LodConfig& config, const MeshData& data, const LodCha
 
 } // namespace
 
-Result<LodConfig> checkedAutomaticConfig(const Ogre::MeshPtr& mesh)
+Result<LodConfig> checkedAutomaticConfig(const Ogre::MeshPtr& mesh, const AutomaticLods& automatic)
 {
+    if (const std::string trouble = troubleWith(automatic); !trouble.empty())
+        return Error{ErrorCode::InvalidSetting, trouble, mesh->getName()};
     const Ogre::Real radius = mesh->getBoundingSphereRadius();
     if (!std::isfinite(radius) || !(radius > 0))
         return Error{ErrorCode::InvalidGeometry, "the mesh has no bounding radius to derive levels from",
                      mesh->getName()};
-    return automaticLodConfig(mesh);
+    return automaticLodConfig(mesh, automatic);
 }
 
 Result<PreparedLods> prepareLods(const LodConfig& config)

@@ -27,8 +27,9 @@ struct ComputedLods {
     double orderSeconds = 0.0; ///< spent ordering index lists for the vertex cache
 };
 
-/// automaticLodConfig(), or InvalidGeometry for a mesh without a bounding radius to derive levels from. Main thread.
-Result<LodConfig> checkedAutomaticConfig(const Ogre::MeshPtr& mesh);
+/// automaticLodConfig(), or InvalidSetting for settings out of range, or InvalidGeometry for a mesh without a bounding
+/// radius to derive levels from. Main thread.
+Result<LodConfig> checkedAutomaticConfig(const Ogre::MeshPtr& mesh, const AutomaticLods& automatic);
 
 /// Checks the configuration and copies the mesh out. Main thread. Errors: those of planLods() and MeshReader::read().
 Result<PreparedLods> prepareLods(const LodConfig& config);

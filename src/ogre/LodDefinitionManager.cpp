@@ -31,6 +31,13 @@ bool isDeclared(const Ogre::String& name, const Ogre::String& group)
     });
 }
 
+/// OGRE keeps a resource when its group is listed anew and its file is not there any more.
+bool isFileGone(const LodDefinitionResource& resource)
+{
+    return resource.isFromFile() && !resource.isManuallyLoaded()
+           && !Ogre::ResourceGroupManager::getSingleton().resourceExists(resource.getGroup(), resource.getName());
+}
+
 } // namespace
 
 LodDefinitionManager::LodDefinitionManager()
@@ -61,10 +68,14 @@ LodDefinitionResourcePtr LodDefinitionManager::definitionFor(const Ogre::Mesh& m
     if (name.empty() || mesh.getGroup() == Ogre::RGN_AUTODETECT)
         return nullptr;
     try {
-        const Ogre::ResourcePtr resource = findOrCreate(name, mesh.getGroup());
+        auto resource = std::static_pointer_cast<LodDefinitionResource>(findOrCreate(name, mesh.getGroup()));
+        if (resource && isFileGone(*resource)) {
+            resource->unload();
+            return nullptr;
+        }
         if (resource)
             resource->load();
-        return std::static_pointer_cast<LodDefinitionResource>(resource);
+        return resource;
     } catch (const Ogre::Exception& exception) {
         Ogre::LogManager::getSingleton().logError(name + ": " + exception.getDescription());
         return nullptr;

@@ -50,14 +50,15 @@ void LodDefinitionResource::setDefinition(LodDefinition definition)
     LODSMITH_ASSERT(findErrors(definition).empty(), "setDefinition() needs a definition without errors");
     mDefinition = std::move(definition);
     mErrors.clear();
+    mIsFromFile = false;
     _dirtyState();
 }
 
 void LodDefinitionResource::loadImpl()
 {
     assertMainThread();
-    const Ogre::DataStreamPtr stream = Ogre::ResourceGroupManager::getSingleton().openResource(mName, mGroup, this);
-    LoddefReading reading = parseLoddef(textOf(*stream), mName);
+    const Ogre::DataStreamPtr stream = Ogre::ResourceGroupManager::getSingleton().openResource(getName(), getGroup(), this);
+    LoddefReading reading = parseLoddef(textOf(*stream), getName());
     auto& log = Ogre::LogManager::getSingleton();
     for (const Error& warning : reading.warnings)
         log.logWarning(describe(warning));
@@ -71,6 +72,7 @@ void LodDefinitionResource::unloadImpl()
 {
     mDefinition.reset();
     mErrors.clear();
+    mIsFromFile = true;
 }
 
 std::size_t LodDefinitionResource::calculateSize() const

@@ -1,12 +1,11 @@
 #include "LodPlan.h"
 
-#include <OgreEntity.h>
+#include "LivingEntities.h"
+
 #include <OgreLodStrategy.h>
 #include <OgreLodStrategyManager.h>
 #include <OgreMeshManager.h>
 #include <OgreResourceGroupManager.h>
-#include <OgreRoot.h>
-#include <OgreSceneManager.h>
 #include <OgreStringConverter.h>
 
 #include <algorithm>
@@ -85,15 +84,6 @@ std::optional<Error> checkImportance(const LodConfig& config)
     return std::nullopt;
 }
 
-bool hasLivingEntity(const Ogre::Mesh& mesh)
-{
-    for (const auto& [name, sceneManager] : Ogre::Root::getSingleton().getSceneManagers())
-        for (const auto& [entityName, object] : sceneManager->getMovableObjects(Ogre::EntityFactory::FACTORY_TYPE_NAME))
-            if (static_cast<const Ogre::Entity*>(object)->getMesh().get() == &mesh)
-                return true;
-    return false;
-}
-
 } // namespace
 
 Result<Ogre::MeshPtr> findManualMesh(const Ogre::String& name, const Ogre::Mesh& owner)
@@ -130,10 +120,10 @@ Result<LodPlan> planLods(const LodConfig& config)
     // OGRE never takes the mark of manual levels off a mesh again, so that earlier ones count as well.
     const bool manual = config.mesh->hasManualLodLevel()
                         || std::any_of(config.levels.begin(), config.levels.end(), std::mem_fn(&LodLevel::isManual));
-    if (manual && hasLivingEntity(*config.mesh))
+    if (manual && !config.reinitialiseEntities && !livingEntities(*config.mesh).empty())
         return Error{ErrorCode::Unsupported,
-                     "the mesh has manual levels and an entity that was made without knowing the "
-                     "new ones; destroy its entities first"};
+                     "the mesh has manual levels and an entity that was made without knowing the new ones; destroy its "
+                     "entities first, have them initialised again, or load the mesh again"};
     for (std::size_t i = 0; i < config.levels.size(); ++i) {
         if (!config.levels[i].isManual()) {
             plan.manualMeshes.emplace_back();

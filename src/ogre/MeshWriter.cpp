@@ -1,12 +1,14 @@
 #include <lodsmith/ogre/MeshWriter.h>
 
 #include "IndexReader.h"
+#include "LivingEntities.h"
 #include "LodPlan.h"
 #include "MainThread.h"
 #include "OgreGuard.h"
 
 #include <lodsmith/core/Assert.h>
 
+#include <OgreEntity.h>
 #include <OgreHardwareBufferManager.h>
 #include <OgreSubMesh.h>
 
@@ -291,6 +293,10 @@ void attach(const LodConfig& config, const LodPlan& plan, PreparedLevels prepare
     for (std::size_t i = 0; i < prepared.convertedLevelZero.size(); ++i)
         if (prepared.convertedLevelZero[i])
             replaceLevelZero(*mesh.getSubMesh(i), *prepared.convertedLevelZero[i]);
+    // Entities hold one entity a level as soon as the mesh has, or ever had, a manual one.
+    if (config.reinitialiseEntities && mesh.hasManualLodLevel())
+        for (Ogre::Entity* entity : livingEntities(mesh))
+            entity->_initialise(true);
 }
 
 } // namespace

@@ -31,11 +31,12 @@ Result<LodReport> ProgressiveMeshGenerator::generateLodLevels(const LodConfig& c
 }
 
 Result<LodReport> ProgressiveMeshGenerator::generateAutoconfiguredLodLevels(const Ogre::MeshPtr& mesh,
-                                                                            Progress* progress)
+                                                                            Progress* progress,
+                                                                            const AutomaticLods& automatic)
 {
     assertMainThread();
     LODSMITH_ASSERT(mesh, "generateAutoconfiguredLodLevels() needs a mesh");
-    const Result<LodConfig> config = checkedAutomaticConfig(mesh);
+    const Result<LodConfig> config = checkedAutomaticConfig(mesh, automatic);
     if (!config)
         return config.error();
     return generateLodLevels(config.value(), progress);

@@ -42,11 +42,12 @@ Result<Done> QueuedProgressiveMeshGenerator::generateLodLevels(const LodConfig& 
     return queue->add(config, priority);
 }
 
-Result<Done> QueuedProgressiveMeshGenerator::generateAutoconfiguredLodLevels(const Ogre::MeshPtr& mesh, float priority)
+Result<Done> QueuedProgressiveMeshGenerator::generateAutoconfiguredLodLevels(const Ogre::MeshPtr& mesh, float priority,
+                                                                             const AutomaticLods& automatic)
 {
     assertMainThread();
     LODSMITH_ASSERT(mesh, "generateAutoconfiguredLodLevels() needs a mesh");
-    const Result<LodConfig> config = checkedAutomaticConfig(mesh);
+    const Result<LodConfig> config = checkedAutomaticConfig(mesh, automatic);
     if (!config)
         return config.error();
     return generateLodLevels(config.value(), priority);

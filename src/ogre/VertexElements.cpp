@@ -1,5 +1,7 @@
 #include "VertexElements.h"
 
+#include "OgreVersion.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -54,11 +56,14 @@ ElementFormat formatOf(Ogre::VertexElementType type)
     case Ogre::VET_SHORT4_NORM: return {Scalar::Short, 4, true};
     case Ogre::VET_USHORT2_NORM: return {Scalar::UnsignedShort, 2, true};
     case Ogre::VET_USHORT4_NORM: return {Scalar::UnsignedShort, 4, true};
-    case Ogre::VET_COLOUR_ARGB: return {Scalar::Argb, 4, true};
-    case Ogre::VET_COLOUR_ABGR: return {Scalar::Abgr, 4, true};
-    case Ogre::VET_COLOUR: return formatOf(Ogre::VertexElement::getBestColourVertexElementType());
-    default: return {};
+    default: break;
     }
+    switch (packedColour(type)) {
+    case PackedColour::Argb: return {Scalar::Argb, 4, true};
+    case PackedColour::Abgr: return {Scalar::Abgr, 4, true};
+    case PackedColour::None: break;
+    }
+    return {};
 }
 
 using Tuple = std::array<float, 4>;

@@ -1,88 +1,22 @@
-#include <support/OgreMeshBuilder.h>
-#include <support/OgreSession.h>
+#include "LodManagerFixture.h"
 
-#include <lodsmith/ogre/LodManager.h>
-#include <lodsmith/ogre/MeshWriter.h>
-#include <lodsmith/ogre/ProgressiveMeshGenerator.h>
+#include <support/OgreLog.h>
 
 #include <OgreMeshManager.h>
 #include <OgreMeshSerializer.h>
+#include <OgreRoot.h>
 
 #include <gmock/gmock.h>
 
 #include <filesystem>
-#include <fstream>
-#include <memory>
-
-namespace fs = std::filesystem;
 
 namespace lodsmith::test {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::IsEmpty;
-
-const std::string kTwoLevels = "<lod><automatic enabled='false'/><manual>"
-                               "<level distance='20'><value>0.5</value></level>"
-                               "<level distance='40'><value>0.75</value></level></manual></lod>";
-
-class LodManagerTest : public testing::Test {
-protected:
-    void start(const LodPolicy& policy = {}) { mManager = std::make_unique<LodManager>(mDefinitions, mQueue, policy); }
-
-    void writeMesh(const std::string& name, const TestMesh& source, bool withLevels = false)
-    {
-        const Ogre::MeshPtr mesh = makeOgreMesh("of " + name, source);
-        if (withLevels) {
-            EXPECT_TRUE(ProgressiveMeshGenerator().generateLodLevels(ownLevel(mesh)));
-        }
-        Ogre::MeshSerializer().exportMesh(mesh.get(), (mSession.directory() / name).string());
-        Ogre::MeshManager::getSingleton().remove(mesh);
-        list();
-    }
-
-    void writeDefinition(const std::string& name, const std::string& text)
-    {
-        std::ofstream(mSession.directory() / name) << text;
-        list();
-    }
-
-    /// Lets OGRE see the files of the session's directory.
-    void list()
-    {
-        auto& groups = Ogre::ResourceGroupManager::getSingleton();
-        groups.removeResourceLocation(mSession.directory().string(), mSession.group());
-        groups.addResourceLocation(mSession.directory().string(), "FileSystem", mSession.group());
-    }
-
-    static LodConfig ownLevel(const Ogre::MeshPtr& mesh)
-    {
-        LodConfig config;
-        config.mesh = mesh;
-        config.levels = {{7.0f, {LevelTarget::Kind::Proportional, 0.3}, ""}};
-        return config;
-    }
-
-    Ogre::MeshPtr load(const std::string& name)
-    {
-        const Ogre::MeshPtr mesh = Ogre::MeshManager::getSingleton().load(name, mSession.group());
-        mQueue.injector().finishAll();
-        return mesh;
-    }
-
-    static std::vector<Ogre::Real> values(const Ogre::MeshPtr& mesh)
-    {
-        std::vector<Ogre::Real> values;
-        for (Ogre::ushort level = 1; level < mesh->getNumLodLevels(); ++level)
-            values.push_back(mesh->getLodLevel(level).userValue);
-        return values;
-    }
-
-    OgreSession mSession;
-    LodDefinitionManager mDefinitions;
-    QueuedProgressiveMeshGenerator mQueue;
-    std::unique_ptr<LodManager> mManager;
-};
 
 struct Lods {
     lodsmith::LodDefinitionManager definitions;
@@ -109,7 +43,7 @@ TEST_F(LodManagerTest, AMeshThatIsLoadedGetsAutomaticLevels)
     EXPECT_EQ(values(mesh).size(), automaticLodConfig(mesh).levels.size());
     mesh->reload();
     EXPECT_THAT(values(mesh), IsEmpty()) << "read from the file, and queued again";
-    mQueue.injector().finishAll();
+    mQueue->injector().finishAll();
     EXPECT_EQ(values(mesh).size(), automaticLodConfig(mesh).levels.size());
 }
 
@@ -119,7 +53,7 @@ TEST_F(LodManagerTest, MeshesThatAreThereGetThemToo)
     const Ogre::MeshPtr mesh = load("rock.mesh");
     EXPECT_THAT(values(mesh), IsEmpty());
     start();
-    mQueue.injector().finishAll();
+    mQueue->injector().finishAll();
     EXPECT_FALSE(values(mesh).empty());
 }
 
@@ -130,7 +64,7 @@ TEST_F(LodManagerTest, NothingIsHeardAfterItsEnd)
     const Ogre::MeshPtr mesh = load("rock.mesh");
     mManager.reset();
     mesh->reload();
-    EXPECT_EQ(mQueue.queued(), 0u);
+    EXPECT_EQ(mQueue->queued(), 0u);
     EXPECT_THAT(values(mesh), IsEmpty());
 }
 
@@ -178,7 +112,7 @@ TEST_F(LodManagerTest, LevelsThatTheMeshBringsStay)
     policy.replaceLevels = true;
     mManager->setPolicy(policy);
     mManager->applyToAll();
-    mQueue.injector().finishAll();
+    mQueue->injector().finishAll();
     EXPECT_EQ(values(mesh).size(), automaticLodConfig(mesh).levels.size());
 }
 
@@ -199,14 +133,14 @@ TEST_F(LodManagerTest, AnEditedDefinitionIsAppliedWhenItIsReloaded)
     ASSERT_THAT(values(mesh), ElementsAre(20.0f, 40.0f));
     writeDefinition("rock.loddef", "<lod><automatic enabled='false'/><manual><level distance='9'/></manual></lod>");
     mDefinitions.definitionFor(*mesh)->reload();
-    mQueue.injector().finishAll();
+    mQueue->injector().finishAll();
     EXPECT_THAT(values(mesh), ElementsAre(9.0f));
     writeDefinition("rock.loddef", "<lod><automatic enabled='false'/></lod>");
     mDefinitions.definitionFor(*mesh)->reload();
     EXPECT_THAT(values(mesh), IsEmpty()) << "a definition without levels";
     writeDefinition("rock.loddef", "<lod/>");
     mDefinitions.definitionFor(*mesh)->reload();
-    mQueue.injector().finishAll();
+    mQueue->injector().finishAll();
     EXPECT_EQ(values(mesh).size(), automaticLodConfig(mesh).levels.size()) << "automatic again";
 }
 
@@ -234,8 +168,201 @@ TEST_F(LodManagerTest, HandMadeLevelsAreThereWhenTheMeshIsLoadedAndHaveNoneThems
     const Ogre::MeshPtr mesh = Ogre::MeshManager::getSingleton().load("rock.mesh", mSession.group());
     EXPECT_THAT(values(mesh), ElementsAre(20.0f, 90.0f));
     EXPECT_EQ(mesh->getLodLevel(2).manualName, "far.mesh");
-    EXPECT_EQ(mQueue.queued(), 0u);
+    EXPECT_EQ(mQueue->queued(), 0u);
     EXPECT_EQ(load("far.mesh")->getNumLodLevels(), 1);
+}
+
+TEST_F(LodManagerTest, AMissingHandMadeLevelIsReportedAndTheRestApplied)
+{
+    writeMesh("rock.mesh", makeUvSphere(40, 30));
+    writeMesh("far.mesh", makeUvSphere(30, 20));
+    writeDefinition("rock.loddef", handMade({{"20", "gone.mesh"}, {"90", "far.mesh"}}));
+    start();
+    const OgreLog log;
+    EXPECT_THAT(values(load("rock.mesh")), ElementsAre(90.0f));
+    EXPECT_THAT(log.lines(), Contains(HasSubstr("gone.mesh")));
+}
+
+TEST_F(LodManagerTest, AMeshWithAutomaticLevelsLosesThemWhenItBecomesAHandMadeLevel)
+{
+    writeMesh("rock.mesh", makeUvSphere(40, 30));
+    writeMesh("far.mesh", makeUvSphere(30, 20));
+    writeDefinition("rock.loddef", handMade({{"90", "far.mesh"}}));
+    start();
+    const Ogre::MeshPtr far = load("far.mesh");
+    EXPECT_FALSE(values(far).empty());
+    EXPECT_THAT(values(load("rock.mesh")), ElementsAre(90.0f));
+    EXPECT_THAT(values(far), IsEmpty());
+
+    far->reload();
+    mManager->applyToAll();
+    finish();
+    EXPECT_THAT(values(far), IsEmpty()) << "and gets none while it is one";
+    Ogre::MeshManager::getSingleton().remove("rock.mesh", mSession.group());
+    mManager->applyToAll();
+    finish();
+    EXPECT_FALSE(values(far).empty());
+}
+
+TEST_F(LodManagerTest, AHandMadeLevelInAMeshFileGetsNoLevels)
+{
+    writeMesh("far.mesh", makeUvSphere(30, 20));
+    writeMesh("rock.mesh", makeUvSphere(40, 30));
+    LodConfig config;
+    config.mesh = load("rock.mesh");
+    config.levels = {{90.0f, {}, "far.mesh"}};
+    ASSERT_TRUE(ProgressiveMeshGenerator().generateLodLevels(config));
+    Ogre::MeshSerializer().exportMesh(config.mesh.get(), (mSession.directory() / "rock.mesh").string());
+    Ogre::MeshManager::getSingleton().remove(config.mesh);
+
+    start();
+    finish();
+    const Ogre::MeshPtr far = Ogre::MeshManager::getSingleton().getByName("far.mesh", mSession.group());
+    ASSERT_FALSE(values(far).empty());
+    EXPECT_THAT(values(load("rock.mesh")), ElementsAre(90.0f));
+    EXPECT_THAT(values(far), IsEmpty()) << "OGRE allows none in a manual level";
+
+    removeFile("far.mesh");
+    Ogre::MeshManager::getSingleton().removeAll();
+    const OgreLog log;
+    EXPECT_EQ(load("rock.mesh")->getNumLodLevels(), 2) << "what its file says, whether OGRE can show it or not";
+    EXPECT_THAT(log.lines(), Contains(HasSubstr("far.mesh")));
+}
+
+TEST_F(LodManagerTest, ARemovedDefinitionLeavesAutomaticLevels)
+{
+    writeMesh("rock.mesh", makeUvSphere(40, 30), true);
+    writeMesh("pebble.mesh", makeUvSphere(8, 6));
+    writeDefinition("rock.loddef", kTwoLevels);
+    writeDefinition("pebble.loddef", kTwoLevels);
+    start();
+    const Ogre::MeshPtr rock = load("rock.mesh"), pebble = load("pebble.mesh");
+    ASSERT_THAT(values(rock), ElementsAre(20.0f, 40.0f));
+    ASSERT_THAT(values(pebble), ElementsAre(20.0f, 40.0f));
+
+    for (const char* name : {"rock.loddef", "pebble.loddef"}) {
+        removeFile(name);
+        mDefinitions.remove(name, mSession.group());
+    }
+    Ogre::Root::getSingleton()._fireFrameStarted();
+    finish();
+    EXPECT_EQ(values(rock).size(), 4u) << "its own had been replaced";
+    EXPECT_THAT(values(pebble), IsEmpty()) << "too small for automatic ones";
+    rock->reload();
+    EXPECT_THAT(values(rock), ElementsAre(7.0f)) << "its own, again";
+}
+
+TEST_F(LodManagerTest, ADefinitionThatIsRemovedButHasItsFileStillCounts)
+{
+    writeMesh("rock.mesh", makeUvSphere(40, 30));
+    writeDefinition("rock.loddef", kTwoLevels);
+    start();
+    const Ogre::MeshPtr mesh = load("rock.mesh");
+    mDefinitions.remove("rock.loddef", mSession.group());
+    mManager->update();
+    finish();
+    EXPECT_THAT(values(mesh), ElementsAre(20.0f, 40.0f));
+}
+
+TEST_F(LodManagerTest, ADefinitionWhoseFileIsGoneCountsNoMore)
+{
+    writeMesh("rock.mesh", makeUvSphere(40, 30));
+    writeDefinition("rock.loddef", kTwoLevels);
+    start();
+    const Ogre::MeshPtr mesh = load("rock.mesh");
+    removeFile("rock.loddef");
+    const OgreLog log;
+    mManager->applyToAll();
+    finish();
+    EXPECT_EQ(values(mesh).size(), 4u);
+    mesh->reload();
+    finish();
+    EXPECT_EQ(values(mesh).size(), 4u);
+    writeDefinition("rock.loddef", kTwoLevels);
+    mManager->applyToAll();
+    finish();
+    EXPECT_THAT(values(mesh), ElementsAre(20.0f, 40.0f)) << "it has come again";
+    EXPECT_THAT(log.lines(), Not(Contains(HasSubstr("rock.loddef"))));
+}
+
+TEST_F(LodManagerTest, AGroupIsClearedWithoutAdo)
+{
+    writeMesh("rock.mesh", makeUvSphere(40, 30));
+    writeDefinition("rock.loddef", kTwoLevels);
+    start();
+    {
+        const Ogre::MeshPtr mesh = load("rock.mesh");
+        ASSERT_THAT(values(mesh), ElementsAre(20.0f, 40.0f));
+    }
+    Ogre::ResourceGroupManager::getSingleton().clearResourceGroup(mSession.group());
+    mManager->update();
+    EXPECT_EQ(mQueue->queued(), 0u);
+}
+
+TEST_F(LodManagerTest, AMeshThatAllWereRemovedWithIsNotListenedTo)
+{
+    writeMesh("rock.mesh", makeUvSphere(40, 30));
+    start();
+    const Ogre::MeshPtr mesh = load("rock.mesh");
+    Ogre::MeshManager::getSingleton().removeAll();
+    mManager.reset();
+    mesh->reload();
+    EXPECT_THAT(values(mesh), IsEmpty());
+}
+
+TEST_F(LodManagerTest, AnUnloadedMeshLosesItsRequestAndIsMetAnewWhenItIsLoaded)
+{
+    writeMesh("rock.mesh", makeUvSphere(40, 30), true);
+    start();
+    const Ogre::MeshPtr mesh = Ogre::MeshManager::getSingleton().load("rock.mesh", mSession.group());
+    writeDefinition("rock.loddef", kTwoLevels);
+    EXPECT_EQ(mManager->apply(mesh).value(), LodDecision::Queued);
+    mesh->unload();
+    finish();
+    EXPECT_EQ(mesh->getNumLodLevels(), 1);
+    removeFile("rock.loddef");
+    mesh->load();
+    finish();
+    EXPECT_THAT(values(mesh), ElementsAre(7.0f)) << "its own";
+}
+
+TEST_F(LodManagerTest, AutomaticLevelsAreAsThePolicySays)
+{
+    writeMesh("rock.mesh", makeUvSphere(40, 30));
+    writeMesh("stone.mesh", makeUvSphere(40, 30));
+    writeDefinition("stone.loddef", "<lod><automatic enabled='true'/></lod>");
+    LodPolicy policy;
+    policy.automaticLods.metric = Metric::Quadric;
+    policy.automaticLods.levels = 2;
+    policy.automaticLods.quality = 2;
+    start(policy);
+    for (const char* name : {"rock.mesh", "stone.mesh"}) {
+        const Ogre::MeshPtr mesh = load(name);
+        const std::vector<LodLevel> expected = automaticLodConfig(mesh, policy.automaticLods).levels;
+        EXPECT_THAT(values(mesh), ElementsAre(expected[0].value, expected[1].value));
+    }
+    policy.automaticLods.levels = 9;
+    mManager->setPolicy(policy);
+    const Ogre::MeshPtr mesh = load("rock.mesh");
+    const Result<LodDecision> decision = mManager->apply(mesh);
+    ASSERT_FALSE(decision);
+    EXPECT_EQ(decision.error().code, ErrorCode::InvalidSetting);
+    EXPECT_EQ(values(mesh).size(), 2u);
+}
+
+TEST_F(LodManagerTest, WhatThePolicyDoesNotAskForAnyMoreGoes)
+{
+    writeMesh("rock.mesh", makeUvSphere(40, 30));
+    writeMesh("own.mesh", makeUvSphere(40, 30), true);
+    start();
+    const Ogre::MeshPtr rock = load("rock.mesh"), own = load("own.mesh");
+    LodPolicy policy;
+    policy.automatic = false;
+    mManager->setPolicy(policy);
+    ASSERT_FALSE(values(rock).empty()) << "for meshes that are loaded from now on";
+    mManager->applyToAll();
+    EXPECT_THAT(values(rock), IsEmpty());
+    EXPECT_THAT(values(own), ElementsAre(7.0f)) << "not given by the manager";
 }
 
 TEST_F(LodManagerTest, AMeshOfNoFileIsMetWhenItIsLoaded)
@@ -243,7 +370,7 @@ TEST_F(LodManagerTest, AMeshOfNoFileIsMetWhenItIsLoaded)
     start();
     const Ogre::MeshPtr mesh = makeOgreMesh("made", makeUvSphere(40, 30));
     mesh->load();
-    mQueue.injector().finishAll();
+    mQueue->injector().finishAll();
     EXPECT_TRUE(mesh->isLoaded());
     const Result<LodDecision> decision = mManager->apply(mesh);
     ASSERT_TRUE(decision) << describe(decision.error());

@@ -33,11 +33,16 @@ TEST(PluginSettings, AreAllRead)
 {
     const PluginSettings settings =
         settingsOf("enabled=no\nautomatic = no # by hand\r\n\treplace_levels=yes\nmin_triangles=1234\ngroup=General\n"
-                   "group=My props\nname=*tree*\nworkers=3\nmemory_mib=64\nframe_ms=0.5");
+                   "metric=quadric\nlevels=6\nquality=0.5\nreinitialise_entities=yes\ngroup=My "
+                   "props\nname=*tree*\nworkers=3\nmemory_mib=64\nframe_ms=0.5");
     EXPECT_FALSE(settings.policy.enabled);
     EXPECT_FALSE(settings.policy.automatic);
     EXPECT_TRUE(settings.policy.replaceLevels);
     EXPECT_EQ(settings.policy.minTriangles, 1234u);
+    EXPECT_EQ(settings.policy.automaticLods.metric, Metric::Quadric);
+    EXPECT_EQ(settings.policy.automaticLods.levels, 6u);
+    EXPECT_EQ(settings.policy.automaticLods.quality, 0.5);
+    EXPECT_TRUE(settings.policy.reinitialiseEntities);
     EXPECT_THAT(settings.policy.groups, ElementsAre("General", "My props"));
     EXPECT_THAT(settings.policy.names, ElementsAre("*tree*"));
     EXPECT_EQ(settings.queue.workers, 3u);
@@ -54,6 +59,10 @@ TEST(PluginSettings, TheSampleHasTheDefaults)
     EXPECT_EQ(settings.policy.automatic, none.policy.automatic);
     EXPECT_EQ(settings.policy.replaceLevels, none.policy.replaceLevels);
     EXPECT_EQ(settings.policy.minTriangles, none.policy.minTriangles);
+    EXPECT_EQ(settings.policy.automaticLods.metric, none.policy.automaticLods.metric);
+    EXPECT_EQ(settings.policy.automaticLods.levels, none.policy.automaticLods.levels);
+    EXPECT_EQ(settings.policy.automaticLods.quality, none.policy.automaticLods.quality);
+    EXPECT_EQ(settings.policy.reinitialiseEntities, none.policy.reinitialiseEntities);
     EXPECT_THAT(settings.policy.groups, IsEmpty());
     EXPECT_THAT(settings.policy.names, IsEmpty());
     EXPECT_EQ(settings.queue.workers, none.queue.workers);
@@ -76,6 +85,12 @@ TEST(PluginSettings, WhatIsWrongIsNamedWithItsLine)
     EXPECT_THAT(errorOf("memory_mib=99999999999999999999"), HasSubstr("a whole number"));
     EXPECT_THAT(errorOf("memory_mib=1048577"), HasSubstr("from 0 to 1048576"));
     EXPECT_THAT(errorOf("frame_ms=nan"), HasSubstr("a number from 0 to 1000"));
+    EXPECT_THAT(errorOf("metric=Quadric"), HasSubstr("'Quadric' has to be quadric or curvature"));
+    EXPECT_THAT(errorOf("levels=9"), HasSubstr("from 0 to 8"));
+    EXPECT_THAT(errorOf("levels=0"), HasSubstr("at least 1"));
+    EXPECT_THAT(errorOf("quality=0.09"), HasSubstr("'0.09' has to be a number from 0.1 to 10"));
+    EXPECT_THAT(errorOf("quality=11"), HasSubstr("a number from 0.1 to 10"));
+    EXPECT_THAT(errorOf("quality=high"), HasSubstr("a number from 0.1 to 10"));
     EXPECT_THAT(errorOf("group="), HasSubstr("a name is missing"));
 }
 

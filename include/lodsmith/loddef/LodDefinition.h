@@ -13,7 +13,8 @@ namespace lodsmith {
 
 /// What decides which level is shown: the four strategies of OGRE 1.12.
 enum class LodStrategy {
-    DistanceSphere,        ///< distance from the bounding sphere, world units; values rise from level to level
+    /// Length of a tangent from the camera to the bounding sphere, world units; values rise from level to level.
+    DistanceSphere,
     DistanceBox,           ///< distance from the bounding box, world units; values rise
     PixelCount,            ///< pixels of the bounding sphere on screen; values fall
     ScreenRatioPixelCount, ///< those pixels as a share of the viewport's; values fall

@@ -19,18 +19,19 @@ struct DefinedLodConfig {
 
 /// A definition as the configuration of one mesh.
 ///
-/// An automatic one becomes automaticLodConfig(). Else the levels are those of the definition, nearest first, with its
+/// An automatic one becomes automaticLodConfig(mesh, automatic). Else the levels are those of the definition, nearest first, with its
 /// strategy and simplifyOptions(). No levels at all mean that the mesh is to have none. A hand-made level is looked for as a
 /// resource in the mesh's group by its name, failing that by its path relative to the definition; it is loaded, and stands
 /// in the configuration by the name it was found under. One that is missing, cannot be loaded, has levels of its own or is
 /// the mesh itself is left out, and everything else stays. Entities of the mesh that live are not looked at here.
 ///
-/// Errors: InvalidSetting (findErrors()), InvalidGeometry (automatic levels for a mesh without a bounding radius).
+/// Errors: InvalidSetting (findErrors(); automatic settings out of range), InvalidGeometry (automatic levels for a mesh without a bounding radius).
 /// Main thread only, as MeshReader.
 ///
 /// @param definitionName the definition's name in the mesh's group, which hand-made levels are relative to; empty for
 ///                       loddefFileName(mesh->getName())
 LODSMITH_API Result<DefinedLodConfig> lodConfig(const LodDefinition& definition, const Ogre::MeshPtr& mesh,
-                                                const Ogre::String& definitionName = {});
+                                                const Ogre::String& definitionName = {},
+                                                const AutomaticLods& automatic = {});
 
 } // namespace lodsmith

@@ -31,7 +31,8 @@ public:
     /// for a file that cannot be opened, which is logged. A file with errors is a resource without definition.
     ///
     /// Files that come to a group later are found as soon as the group knows them (a location added, or
-    /// ResourceGroupManager::createResource()). A loaded definition stays as it is until it is reloaded.
+    /// ResourceGroupManager::createResource()). A loaded definition stays as it is until it is reloaded. One whose file the
+    /// group does not know any more is unloaded and counts as none.
     LodDefinitionResourcePtr definitionFor(const Ogre::Mesh& mesh);
 
     /// Writes a definition to its place below a directory, loddefFileName(meshName), whole or not at all; directories

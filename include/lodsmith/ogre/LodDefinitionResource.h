@@ -30,6 +30,9 @@ public:
     /// Why a loaded resource has no definition; empty when it has one.
     const std::vector<Error>& errors() const { return mErrors; }
 
+    /// Whether the definition, or its absence, is what the file said when it was loaded: not after setDefinition().
+    bool isFromFile() const { return mIsFromFile; }
+
     /// Takes a definition from elsewhere than the file, for manual loaders and editors; it lasts until the next unload or
     /// reload. The state count rises, as after a reload. A definition with errors (findErrors()) is misuse.
     void setDefinition(LodDefinition definition);
@@ -41,6 +44,7 @@ private:
 
     std::optional<LodDefinition> mDefinition;
     std::vector<Error> mErrors;
+    bool mIsFromFile = true;
 };
 
 using LodDefinitionResourcePtr = std::shared_ptr<LodDefinitionResource>;

@@ -20,12 +20,13 @@ public:
     /// operation type for all levels of a submesh, so that level 0 of a strip or fan becomes a list as soon as a generated
     /// level is stored. Edge lists are freed; where there were some, OGRE builds them again on demand.
     ///
-    /// Existing entities see generated levels at once. Manual levels reach only entities made afterwards.
+    /// Existing entities see generated levels at once. Manual levels reach only entities made afterwards, or all of them with
+    /// LodConfig::reinitialiseEntities.
     ///
     /// Errors: InvalidSetting (unknown strategy; values not finite, not positive or not rising or falling as the strategy
     /// demands; the mesh as its own manual level), NotFound (no such manual mesh in the mesh's group), Unsupported (a manual
-    /// mesh with levels of its own; manual levels, now or earlier, on a mesh with a living entity: OGRE would end the
-    /// process), InvalidGeometry (the mesh is no longer what `data` was read from), OutOfMemory; file is the mesh's name.
+    /// mesh with levels of its own; manual levels, now or earlier, on a mesh with a living entity, unless LodConfig::reinitialiseEntities: OGRE
+    /// would end the process), InvalidGeometry (the mesh is no longer what `data` was read from), OutOfMemory; file is the mesh's name.
     /// On an error the mesh is as it was.
     ///
     /// @param data  what MeshReader::read() made of the mesh

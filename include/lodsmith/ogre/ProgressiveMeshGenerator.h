@@ -50,8 +50,10 @@ public:
     /// MeshWriter::write(); file is the mesh's name, subMesh its number in the mesh.
     Result<LodReport> generateLodLevels(const LodConfig& config, Progress* progress = nullptr);
 
-    /// generateLodLevels() with automaticLodConfig(mesh). Errors: the same, and InvalidGeometry without a bounding radius.
-    Result<LodReport> generateAutoconfiguredLodLevels(const Ogre::MeshPtr& mesh, Progress* progress = nullptr);
+    /// generateLodLevels() with automaticLodConfig(mesh, automatic). Errors: the same, InvalidSetting for settings out of
+    /// range, and InvalidGeometry without a bounding radius.
+    Result<LodReport> generateAutoconfiguredLodLevels(const Ogre::MeshPtr& mesh, Progress* progress = nullptr,
+                                                      const AutomaticLods& automatic = {});
 };
 
 } // namespace lodsmith

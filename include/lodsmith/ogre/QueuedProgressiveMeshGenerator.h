@@ -54,8 +54,10 @@ public:
     /// @param priority any number, for instance the mesh's size on screen; not NaN
     Result<Done> generateLodLevels(const LodConfig& config, float priority = 0.0f);
 
-    /// generateLodLevels() with automaticLodConfig(mesh). Errors: the same, and InvalidGeometry without a bounding radius.
-    Result<Done> generateAutoconfiguredLodLevels(const Ogre::MeshPtr& mesh, float priority = 0.0f);
+    /// generateLodLevels() with automaticLodConfig(mesh, automatic). Errors: the same, InvalidSetting for settings out of
+    /// range, and InvalidGeometry without a bounding radius.
+    Result<Done> generateAutoconfiguredLodLevels(const Ogre::MeshPtr& mesh, float priority = 0.0f,
+                                                 const AutomaticLods& automatic = {});
 
     /// Moves the mesh's request, if there is one. A computation that runs goes on; its injection is moved.
     void setPriority(const Ogre::MeshPtr& mesh, float priority);
