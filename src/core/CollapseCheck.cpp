@@ -102,7 +102,7 @@ bool CollapseCheck::isOrdinary(const OneRing& ring, std::uint32_t neighbour) con
     std::uint32_t others[kOrdinaryFaces];
     std::fill(others, others + kOrdinaryFaces, kNone);
     for (std::uint32_t i = 0; i < ring.neighbourCount; ++i)
-        others[i] = (i == neighbour) | (i == a) | (i == b) ? kNone : ring.neighbours[i].vertex;
+        others[i] = ((i == neighbour) | (i == a) | (i == b)) ? kNone : ring.neighbours[i].vertex;
     mMesh.compactFaceList(end.vertex);
     const std::uint32_t* list = mMesh.faceList(end.vertex);
     std::uint32_t isShared[kOrdinaryFaces] = {};

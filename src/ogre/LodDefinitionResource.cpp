@@ -57,7 +57,8 @@ void LodDefinitionResource::setDefinition(LodDefinition definition)
 void LodDefinitionResource::loadImpl()
 {
     assertMainThread();
-    const Ogre::DataStreamPtr stream = Ogre::ResourceGroupManager::getSingleton().openResource(getName(), getGroup(), this);
+    const Ogre::DataStreamPtr stream =
+        Ogre::ResourceGroupManager::getSingleton().openResource(getName(), getGroup(), this);
     LoddefReading reading = parseLoddef(textOf(*stream), getName());
     auto& log = Ogre::LogManager::getSingleton();
     for (const Error& warning : reading.warnings)
