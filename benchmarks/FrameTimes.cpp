@@ -6,7 +6,9 @@
 #include "../tests/support/RenderSession.h"
 
 #include <OgreCamera.h>
+#include <OgreEntity.h>
 #include <OgreRoot.h>
+#include <OgreSceneNode.h>
 
 #include <algorithm>
 #include <cmath>

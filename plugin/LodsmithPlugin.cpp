@@ -1,5 +1,6 @@
 #include "PluginSettings.h"
 
+#include <lodsmith/cache/LodCache.h>
 #include <lodsmith/ogre/LodDefinitionManager.h>
 #include <lodsmith/ogre/LodManager.h>
 #include <lodsmith/ogre/QueuedProgressiveMeshGenerator.h>
@@ -11,9 +12,12 @@
 #include <OgreRoot.h>
 
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <string>
+#include <utility>
 
 #if defined(_WIN32)
 #    define LODSMITH_PLUGIN_API extern "C" __declspec(dllexport)
@@ -43,6 +47,46 @@ Result<PluginSettings> readSettings()
     return parsePluginSettings(text, path);
 }
 
+/// Where OGRE says that a program may write for its user. Nothing when there is no such place: OGRE then names the working
+/// directory, which is no place for a cache.
+std::string directoryOfUser()
+{
+    const std::string directory = Ogre::FileSystemLayer("lodsmith").getWritablePath("");
+    return std::filesystem::path(directory).is_absolute() ? directory : std::string();
+}
+
+std::shared_ptr<LodCache> makeCache(const PluginSettings& settings)
+{
+    if (settings.cacheLimit == 0)
+        return nullptr;
+    const std::string directory = settings.cacheDirectory.empty() ? directoryOfUser() : settings.cacheDirectory;
+    if (!directory.empty())
+        return std::make_shared<LodCache>(directory, settings.cacheLimit);
+    Ogre::LogManager::getSingleton().logWarning("Lodsmith has no cache: this user has no directory for one");
+    return nullptr;
+}
+
+QueueOptions queueOptions(const PluginSettings& settings)
+{
+    QueueOptions options = settings.queue;
+    options.cache = makeCache(settings);
+    return options;
+}
+
+/// One warning, however many meshes there are.
+class CacheWarning {
+public:
+    void operator()(const LodReport& report)
+    {
+        if (report.notStored && !std::exchange(mSaid, true))
+            Ogre::LogManager::getSingleton().logWarning("Lodsmith cannot keep levels for the next start: "
+                                                        + describe(*report.notStored));
+    }
+
+private:
+    bool mSaid = false;
+};
+
 class LodsmithPlugin final : public Ogre::Plugin {
 public:
     const Ogre::String& getName() const override { return mName; }
@@ -68,11 +112,13 @@ public:
 private:
     struct Lods {
         explicit Lods(const PluginSettings& settings)
-            : queue(settings.queue), manager(definitions, queue, settings.policy)
+            : queue(queueOptions(settings)), manager(definitions, queue, settings.policy)
         {
             queue.signals().failed.connect([](const Ogre::MeshPtr&, const Error& error) {
                 Ogre::LogManager::getSingleton().logError(describe(error));
             });
+            queue.signals().injected.connect(
+                [warn = CacheWarning()](const Ogre::MeshPtr&, const LodReport& report) mutable { warn(report); });
         }
 
         LodDefinitionManager definitions;

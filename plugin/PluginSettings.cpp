@@ -50,12 +50,17 @@ public:
         if (key == "workers")
             return readWhole(value, mSettings.queue.workers, 256u);
         if (key == "memory_mib")
-            return readMebibytes(value);
+            return readMebibytes(value, mSettings.queue.memoryLimit);
         if (key == "frame_ms")
             return readBudget(value);
+        if (key == "cache_mib")
+            return readMebibytes(value, mSettings.cacheLimit);
+        if (key == "cache_directory")
+            return readPath(value, mSettings.cacheDirectory);
         return "'" + std::string(key)
                + "' is no setting; there are enabled, automatic, metric, levels, quality, replace_levels, "
-                 "reinitialise_entities, min_triangles, group, name, workers, memory_mib and frame_ms";
+                 "reinitialise_entities, min_triangles, group, name, workers, memory_mib, frame_ms, cache_mib and "
+                 "cache_directory";
     }
 
     PluginSettings settings() const { return mSettings; }
@@ -109,11 +114,17 @@ private:
                                               : trouble;
     }
 
-    std::string readMebibytes(std::string_view value)
+    static std::string readPath(std::string_view value, std::string& path)
     {
-        std::size_t mebibytes = 0;
-        std::string trouble = readWhole<std::size_t>(value, mebibytes, std::size_t(1) << 20);
-        mSettings.queue.memoryLimit = mebibytes << 20;
+        path = value;
+        return value.empty() ? "a path is missing" : "";
+    }
+
+    template <class T>
+    static std::string readMebibytes(std::string_view value, T& bytes)
+    {
+        std::string trouble = readWhole<T>(value, bytes, T(1) << 20);
+        bytes <<= 20;
         return trouble;
     }
 

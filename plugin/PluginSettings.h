@@ -4,6 +4,7 @@
 #include <lodsmith/ogre/LodManager.h>
 #include <lodsmith/ogre/QueuedProgressiveMeshGenerator.h>
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -12,7 +13,9 @@ namespace lodsmith {
 /// What lodsmith.cfg says.
 struct PluginSettings {
     LodPolicy policy;
-    QueueOptions queue;
+    QueueOptions queue;                                  ///< without a cache
+    std::string cacheDirectory;                          ///< empty: the user's own
+    std::uint64_t cacheLimit = std::uint64_t(256) << 20; ///< bytes; 0: there is no cache
 };
 
 /// Reads lodsmith.cfg: a `key=value` a line, blank lines, and comments from `#` on. plugin/lodsmith.cfg names all keys. What

@@ -33,6 +33,6 @@ check analysis 'core|analysis' 'boost/.*|embree3/.*'
 check files 'core|files' 'fcntl\.h|unistd\.h|sys/[a-z]+\.h'
 check loddef 'core|files|loddef' 'tinyxml2\.h'
 check cache 'core|files|cache' 'xxhash\.h'
-check ogre 'core|analysis|files|loddef|ogre' 'Ogre[A-Za-z]*\.h|meshoptimizer\.h|sigc\+\+/[a-z_]+\.h'
+check ogre 'core|analysis|files|loddef|cache|ogre' 'Ogre[A-Za-z]*\.h|meshoptimizer\.h|sigc\+\+/[a-z_]+\.h'
 check samples 'core|ogre|samples' 'CLI/CLI\.hpp|Ogre[A-Za-z]*\.h'
 exit "$status"

@@ -163,12 +163,14 @@ std::string toHex(const CacheKey& key)
     return text;
 }
 
-CacheKey cacheKey(const MeshView& mesh, const std::vector<LevelTarget>& targets, const SimplifyOptions& options)
+CacheKey cacheKey(const MeshView& mesh, const std::vector<LevelTarget>& targets, const SimplifyOptions& options,
+                  std::string_view finish)
 {
     KeyHasher hasher;
     hasher.text(LODSMITH_VERSION);
     hasher.number(kCacheFormat);
     addSettings(hasher, targets, options);
+    hasher.text(finish);
     addMesh(hasher, mesh);
     return hasher.key();
 }

@@ -35,20 +35,25 @@ bool fits(const LodChain& chain, const MeshView& mesh, std::size_t levels)
 } // namespace
 
 Result<CachedChain> simplifyCached(LodCache& cache, const MeshView& mesh, const std::vector<LevelTarget>& targets,
-                                   const SimplifyOptions& options, Progress* progress)
+                                   const SimplifyOptions& options, Progress* progress,
+                                   const std::function<void()>& inputRead, const ChainFinish& finish)
 {
-    const CacheKey key = cacheKey(mesh, targets, options);
+    const CacheKey key = cacheKey(mesh, targets, options, finish.name);
     auto found = cache.find(key);
     if (progress && progress->cancelled())
         return Error{ErrorCode::Cancelled, "cancelled"};
     if (found && fits(*found, mesh, targets.size())) {
+        if (inputRead)
+            inputRead();
         if (progress)
             progress->report(1.0f);
         return CachedChain{std::move(*found), true, std::nullopt};
     }
-    Result<LodChain> made = simplify(mesh, targets, options, progress);
+    Result<LodChain> made = simplify(mesh, targets, options, progress, inputRead);
     if (!made)
         return made.error();
+    if (finish.apply)
+        finish.apply(made.value());
     const Result<Done> stored = cache.store(key, made.value());
     return CachedChain{std::move(made).value(), false, stored ? std::nullopt : std::optional<Error>(stored.error())};
 }

@@ -35,6 +35,8 @@ Examples:
       as few triangles as 0.02 units of deviation allow, then a hand-made box
   lodsmith generate models -o out --loddef far.loddef
       all of them as far.loddef says
+  lodsmith generate models -o out --force --cache ~/.cache/lodsmith
+      once more: only what has changed since is simplified
 )";
 
 constexpr double kLargestWeight = 1e6;
@@ -167,6 +169,8 @@ BatchJob makeJob(const PlannedFile& file, const GenerateSettings& settings)
     job.file = file.input.string();
     job.inputBytes = fileBytes(file.input);
     job.outputDirectories = {file.output.has_parent_path() ? file.output.parent_path() : fs::path(".")};
+    if (!settings.cache.empty())
+        job.outputDirectories.push_back(settings.cache);
     job.work = [&file, &settings](Progress& progress) -> Result<Json> {
         if (file.error)
             return *file.error;
@@ -275,6 +279,15 @@ void addRunOptions(CLI::App& command, GenerateArguments& arguments)
         ->type_name("N");
     addCountOption(command, "-j,--jobs", arguments.batch.workers, 1, 1024, "Work on N files at a time [1]")
         ->type_name("N");
+    addParsedOption(command, "--cache",
+                    "Keep levels in this directory, up to 1 GiB, and take from it what was made before",
+                    [&arguments](const std::string& directory) -> Result<Done> {
+                        if (directory.empty())
+                            return Error{ErrorCode::InvalidSetting, "the directory has no name"};
+                        arguments.settings.cache = directory;
+                        return Done{};
+                    })
+        ->type_name("DIR");
     addTimeLimitOption(command, arguments.batch);
     command.add_flag("--json", arguments.json,
                      "Print one JSON object a mesh on standard output, and nothing else there");

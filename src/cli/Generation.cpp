@@ -3,6 +3,7 @@
 #include "MeshPlan.h"
 #include "PeakMemory.h"
 
+#include <lodsmith/cache/LodCache.h>
 #include <lodsmith/ogre/MeshWriter.h>
 #include <lodsmith/ogre/ProgressiveMeshGenerator.h>
 
@@ -15,6 +16,8 @@
 namespace lodsmith::cli {
 
 namespace {
+
+constexpr std::uint64_t kCacheBytes = std::uint64_t(1) << 30;
 
 class Stopwatch {
 public:
@@ -41,15 +44,18 @@ double median(std::vector<double> values)
     return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2.0;
 }
 
-Result<LodReport> generateRepeatedly(const LodConfig& config, unsigned repeat, Progress& progress, Timings& timings)
+Result<LodReport> generateRepeatedly(const LodConfig& config, const GenerateSettings& settings, Progress& progress,
+                                     Timings& timings)
 {
+    ProgressiveMeshGenerator generator(
+        settings.cache.empty() ? nullptr : std::make_shared<LodCache>(settings.cache, kCacheBytes));
     Result<LodReport> report = Error{};
-    for (unsigned run = 0; run < repeat; ++run) {
+    for (unsigned run = 0; run < settings.repeat; ++run) {
         MeshWriter::removeLevels(*config.mesh);
         // Only the first run starts from a heap without leftovers.
         const auto memory = run == 0 ? std::make_unique<PeakMemory>() : nullptr;
         const Stopwatch stopwatch;
-        report = ProgressiveMeshGenerator().generateLodLevels(config, &progress);
+        report = generator.generateLodLevels(config, &progress);
         timings.generate.push_back(stopwatch.milliseconds());
         if (!report)
             return report;
@@ -141,6 +147,7 @@ Json recordOf(const MeshPlan& plan, const LodReport& report, const Timings& timi
                              {"repeated_triangles", report.cleaned.repeatedTriangles},
                              {"unreferenced_vertices", report.cleaned.unreferencedVertices}};
     record["notes"] = report.notes;
+    record["cached"] = report.fromCache;
     record["generate_ms"] = median(timings.generate);
     record["generate_min_ms"] = *std::min_element(timings.generate.begin(), timings.generate.end());
     record["order_ms"] = median(timings.order);
@@ -175,12 +182,14 @@ Result<Json> generateFile(const GenerateSettings& settings, const PlannedFile& f
     if (!plan)
         return plan.error();
     Timings timings;
-    Result<LodReport> report = generateRepeatedly(plan.value().config, settings.repeat, progress, timings);
+    Result<LodReport> report = generateRepeatedly(plan.value().config, settings, progress, timings);
     if (!report)
         return report.error();
 
     std::vector<std::string>& notes = report.value().notes;
     notes.insert(notes.begin(), plan.value().notes.begin(), plan.value().notes.end());
+    if (const std::optional<Error>& trouble = report.value().notStored)
+        notes.push_back("the levels could not be kept in the cache: " + describe(*trouble));
     const Stopwatch writing;
     const Result<Done> written = writeResult(settings, file, plan.value(), notes);
     if (!written)
@@ -198,7 +207,8 @@ Json failedRecord(const PlannedFile& file, const Error& error)
     for (const char* member : {"vertices", "buffer_vertices", "triangles", "radius", "loddef"})
         record[member] = nullptr;
     record["levels"] = Json::array();
-    for (const char* member : {"read_ms", "generate_ms", "generate_min_ms", "order_ms", "write_ms", "peak_kb"})
+    for (const char* member :
+         {"cached", "read_ms", "generate_ms", "generate_min_ms", "order_ms", "write_ms", "peak_kb"})
         record[member] = nullptr;
     setError(record, error);
     return record;

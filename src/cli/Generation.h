@@ -9,6 +9,7 @@
 #include <lodsmith/core/Progress.h>
 #include <lodsmith/core/Simplify.h>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,7 +26,8 @@ struct GenerateSettings {
     bool lockBorders = false;
     bool lockSeams = false;
     bool shareBuffers = false;
-    unsigned repeat = 1; ///< >= 1
+    unsigned repeat = 1;         ///< >= 1
+    std::filesystem::path cache; ///< directory that keeps generated levels; empty for none
     WriteOptions write;
 };
 

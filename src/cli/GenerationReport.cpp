@@ -55,7 +55,9 @@ std::string levelTable(const Json& record)
 
 std::string times(const Json& record, unsigned repeat)
 {
-    std::string text = "read " + milliseconds(record["read_ms"]) + ", generated " + milliseconds(record["generate_ms"]);
+    std::string text = "read " + milliseconds(record["read_ms"])
+                       + (record["cached"].get<bool>() ? ", taken from the cache " : ", generated ")
+                       + milliseconds(record["generate_ms"]);
     if (repeat > 1)
         text += " (median of " + std::to_string(repeat) + ", least " + milliseconds(record["generate_min_ms"]) + ")";
     text += ", of it vertex-cache order " + milliseconds(record["order_ms"]) + ", written "

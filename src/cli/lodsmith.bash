@@ -15,13 +15,14 @@ _lodsmith() {
     --mesh-version) options="1.0 1.4 1.41 1.8 1.10" ;;
     --endian) options="native little big" ;;
     --loddef) files="*.loddef" ;;
+    --cache) files="*/" ;;
     --levels | --repeat | --jobs | -j | --time-limit | --samples | --*-weight) return ;;
     esac
     if [[ -z $options && $word == -* ]]; then
         case ${COMP_WORDS[1]} in
         generate)
             options="$write --levels --strategy --loddef --no-loddef --metric --normal-weight --uv-weight --colour-weight"
-            options+=" --bone-weight --lock-borders --lock-seams --share-buffers --repeat --jobs --json"
+            options+=" --bone-weight --lock-borders --lock-seams --share-buffers --repeat --jobs --cache --json"
             ;;
         inspect) options="--json --time-limit --help" ;;
         measure) options="--against --samples --json --time-limit --help" ;;

@@ -26,7 +26,8 @@ unsigned threadsFor(const QueueOptions& options)
 } // namespace
 
 GenerationQueue::GenerationQueue(const QueueOptions& options, QueueParts parts)
-    : mMemoryLimit(options.memoryLimit), mParts(std::move(parts)), mWorker(threadsFor(options), mParts.compute)
+    : mMemoryLimit(options.memoryLimit), mCache(options.cache), mParts(std::move(parts)),
+      mWorker(threadsFor(options), mParts.compute)
 {
 }
 
@@ -237,7 +238,7 @@ bool GenerationQueue::copyNext()
 
 void GenerationQueue::copy(RequestNumber number, const LodConfig& config)
 {
-    Result<PreparedLods> prepared = guarded(config.mesh->getName(), [&] { return prepareLods(config); });
+    Result<PreparedLods> prepared = guarded(config.mesh->getName(), [&] { return prepareLods(config, mCache); });
     const auto found = mRequests.find(number);
     if (found == mRequests.end())
         return;

@@ -40,6 +40,7 @@ public:
     std::size_t size() const { return mRequests.size(); }
     std::size_t heldBytes() const { return mHeldBytes; }
     PMInjectorSignaler& signals() { return mSignals; }
+    const std::shared_ptr<LodCache>& cache() const { return mCache; }
 
     /// One frame's work; at least one step however small the budget.
     void work(PMInjector::Milliseconds budget);
@@ -97,6 +98,7 @@ private:
     void reportProgress();
 
     const std::size_t mMemoryLimit;
+    const std::shared_ptr<LodCache> mCache;
     const QueueParts mParts;
     PMInjectorSignaler mSignals;
     Requests mRequests;

@@ -3,6 +3,7 @@
 #include "LodPlan.h"
 #include "VertexCacheOrder.h"
 
+#include <lodsmith/cache/SimplifyCached.h>
 #include <lodsmith/ogre/MeshWriter.h>
 
 #include <OgreSubMesh.h>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace lodsmith {
 
@@ -39,6 +41,20 @@ double secondsToOrder(LodChain& chain)
     const auto start = std::chrono::steady_clock::now();
     orderForVertexCache(chain);
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The order is kept in the cache too: it takes longer than all the rest of a start from there.
+Result<CachedChain> makeOrFind(PreparedLods& prepared, Progress* progress, const ChainFinish& finish)
+{
+    const auto letGo = [&] { prepared.data.releaseArrays(); };
+    const MeshView& view = prepared.data.view();
+    if (prepared.cache)
+        return simplifyCached(*prepared.cache, view, prepared.targets, prepared.options, progress, letGo, finish);
+    Result<LodChain> chain = simplify(view, prepared.targets, prepared.options, progress, letGo);
+    if (!chain)
+        return chain.error();
+    finish.apply(chain.value());
+    return CachedChain{std::move(chain).value(), false, std::nullopt};
 }
 
 std::vector<LodLevelReport> reportLevels(const LodConfig& config, const LodChain& chain)
@@ -106,7 +122,7 @@ Result<LodConfig> checkedAutomaticConfig(const Ogre::MeshPtr& mesh, const Automa
     return automaticLodConfig(mesh, automatic);
 }
 
-Result<PreparedLods> prepareLods(const LodConfig& config)
+Result<PreparedLods> prepareLods(const LodConfig& config, std::shared_ptr<LodCache> cache)
 {
     // Settings are checked first: nobody should wait for a long simplification to learn of a typing error.
     const Result<LodPlan> plan = planLods(config);
@@ -115,24 +131,26 @@ Result<PreparedLods> prepareLods(const LodConfig& config)
     Result<MeshData> data = MeshReader::read(*config.mesh, config.subMeshImportance);
     if (!data)
         return data.error();
-    return PreparedLods{std::move(data).value(), targetsOf(config), config.options};
+    return PreparedLods{std::move(data).value(), targetsOf(config), config.options, std::move(cache)};
 }
 
 Result<ComputedLods> computeLods(PreparedLods& prepared, Progress* progress)
 {
-    Result<LodChain> chain = simplify(prepared.data.view(), prepared.targets, prepared.options, progress,
-                                      [&] { prepared.data.releaseArrays(); });
-    if (!chain)
-        return inTermsOfMesh(chain.error(), prepared.data);
-    ComputedLods computed{std::move(chain).value()};
-    computed.orderSeconds = secondsToOrder(computed.chain);
-    return computed;
+    double orderSeconds = 0.0;
+    const ChainFinish order{vertexCacheOrderName(), [&](LodChain& chain) { orderSeconds = secondsToOrder(chain); }};
+    Result<CachedChain> made = makeOrFind(prepared, progress, order);
+    if (!made)
+        return inTermsOfMesh(made.error(), prepared.data);
+    CachedChain& chain = made.value();
+    return ComputedLods{std::move(chain.chain), chain.found, std::move(chain.notStored), orderSeconds};
 }
 
 Result<LodReport> finishLods(const LodConfig& config, const PreparedLods& prepared, const ComputedLods& computed)
 {
     LodReport report = makeReport(config, prepared.data, computed.chain);
     report.orderSeconds = computed.orderSeconds;
+    report.fromCache = computed.fromCache;
+    report.notStored = computed.notStored;
     const Result<Done> written = MeshWriter::write(config, prepared.data, computed.chain);
     if (!written)
         return written.error();

@@ -233,7 +233,8 @@ Result<LodDecision> LodManager::give(LodConfig config, Occasion occasion)
     if (!atOnce) {
         if (const Result<Done> queued = mQueue.generateLodLevels(config); !queued)
             return queued.error();
-    } else if (const Result<LodReport> report = ProgressiveMeshGenerator().generateLodLevels(config); !report)
+    } else if (const Result<LodReport> report = ProgressiveMeshGenerator(mQueue.cache()).generateLodLevels(config);
+               !report)
         return report.error();
     else
         mQueue.cancel(mesh);

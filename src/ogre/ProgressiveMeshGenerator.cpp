@@ -6,13 +6,15 @@
 
 #include <lodsmith/core/Assert.h>
 
+#include <utility>
+
 namespace lodsmith {
 
 namespace {
 
-Result<LodReport> generate(const LodConfig& config, Progress* progress)
+Result<LodReport> generate(const LodConfig& config, const std::shared_ptr<LodCache>& cache, Progress* progress)
 {
-    Result<PreparedLods> prepared = prepareLods(config);
+    Result<PreparedLods> prepared = prepareLods(config, cache);
     if (!prepared)
         return prepared.error();
     const Result<ComputedLods> computed = computeLods(prepared.value(), progress);
@@ -23,11 +25,13 @@ Result<LodReport> generate(const LodConfig& config, Progress* progress)
 
 } // namespace
 
+ProgressiveMeshGenerator::ProgressiveMeshGenerator(std::shared_ptr<LodCache> cache) : mCache(std::move(cache)) {}
+
 Result<LodReport> ProgressiveMeshGenerator::generateLodLevels(const LodConfig& config, Progress* progress)
 {
     assertMainThread();
     LODSMITH_ASSERT(config.mesh, "generateLodLevels() needs a mesh");
-    return guarded(config.mesh->getName(), [&] { return generate(config, progress); });
+    return guarded(config.mesh->getName(), [&] { return generate(config, mCache, progress); });
 }
 
 Result<LodReport> ProgressiveMeshGenerator::generateAutoconfiguredLodLevels(const Ogre::MeshPtr& mesh,

@@ -90,6 +90,12 @@ std::size_t QueuedProgressiveMeshGenerator::heldBytes() const
     return mQueue->heldBytes();
 }
 
+const std::shared_ptr<LodCache>& QueuedProgressiveMeshGenerator::cache() const
+{
+    assertMainThread();
+    return mQueue->cache();
+}
+
 PMInjectorSignaler& QueuedProgressiveMeshGenerator::signals()
 {
     assertMainThread();

@@ -33,4 +33,9 @@ void orderForVertexCache(LodChain& chain)
             orderList(triangles);
 }
 
+std::string vertexCacheOrderName()
+{
+    return "vertex cache order of meshoptimizer " + std::to_string(MESHOPTIMIZER_VERSION);
+}
+
 } // namespace lodsmith

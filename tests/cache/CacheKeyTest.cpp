@@ -245,6 +245,15 @@ TEST(CacheKey, whichSubMeshATriangleIsInIsPartOfIt)
     expectAllDifferent(keys);
 }
 
+TEST(CacheKey, whatIsDoneAfterwardsIsPartOfIt)
+{
+    const SimplifyCase input = fullCase();
+    const MeshView view = input.mesh.view();
+    expectAllDifferent({cacheKey(view, input.targets), cacheKey(view, input.targets, {}, "order"),
+                        cacheKey(view, input.targets, {}, "other")});
+    EXPECT_EQ(cacheKey(view, input.targets, {}, ""), cacheKey(view, input.targets));
+}
+
 TEST(CacheKey, isWrittenInHexadecimal)
 {
     CacheKey key;

@@ -1,7 +1,7 @@
 #include <lodsmith/cache/LodCache.h>
 
 #include "Chains.h"
-#include "Child.h"
+#include "support/Child.h"
 #include "support/TestDirectory.h"
 
 #include <gmock/gmock.h>

@@ -1,8 +1,8 @@
 #include <lodsmith/cache/LodCache.h>
 
 #include "Chains.h"
-#include "Child.h"
 #include "EntryCodec.h"
+#include "support/Child.h"
 #include "support/MeshBuilders.h"
 #include "support/TestDirectory.h"
 

@@ -6,7 +6,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <functional>
+#include <stdexcept>
 
 namespace lodsmith {
 
@@ -21,6 +23,13 @@ constexpr std::uint64_t kRoomy = 1 << 24;
 const std::vector<LevelTarget> kTargets = {{LevelTarget::Kind::Proportional, 0.5},
                                            {LevelTarget::Kind::Proportional, 0.5}, // the same again: skipped
                                            {LevelTarget::Kind::Proportional, 0.9}};
+
+void reverse(LodChain& chain)
+{
+    for (LodChainLevel& level : chain.levels)
+        for (auto& indices : level.indices)
+            std::reverse(indices.begin(), indices.end());
+}
 
 } // namespace
 
@@ -93,6 +102,57 @@ TEST(SimplifyCached, errorsAreThoseOfSimplifyAndAreNotStored)
     ASSERT_FALSE(chain);
     EXPECT_EQ(describe(chain.error()), describe(simplify(mesh.view(), kTargets).error()));
     EXPECT_THAT(directory.files(), IsEmpty());
+}
+
+TEST(SimplifyCached, whatIsDoneToAChainAfterwardsIsKeptWithItAndNotMistakenForAnother)
+{
+    const TestDirectory directory;
+    LodCache cache(directory.path(), kRoomy);
+    const test::TestMesh mesh = test::makeTwoMaterials(10, false);
+    const LodChain plain = simplify(mesh.view(), kTargets).value();
+    LodChain reversed = plain;
+    reverse(reversed);
+    int calls = 0;
+    const ChainFinish finish{"reversed", [&](LodChain& chain) { reverse(chain), ++calls; }};
+    for (const bool found : {false, true}) {
+        const Result<CachedChain> chain = simplifyCached(cache, mesh.view(), kTargets, {}, nullptr, {}, finish);
+        ASSERT_TRUE(chain);
+        EXPECT_EQ(chain.value().found, found);
+        EXPECT_TRUE(same(chain.value().chain, reversed));
+    }
+    EXPECT_EQ(calls, 1);
+    const Result<CachedChain> other = simplifyCached(cache, mesh.view(), kTargets);
+    EXPECT_FALSE(other.value().found);
+    EXPECT_TRUE(same(other.value().chain, plain));
+}
+
+TEST(SimplifyCached, whatIsThrownAfterwardsLeavesNothingInTheCache)
+{
+    const TestDirectory directory;
+    LodCache cache(directory.path(), kRoomy);
+    const test::TestMesh mesh = test::makeGrid(6, 6);
+    const ChainFinish finish{"broken", [](LodChain&) { throw std::runtime_error("no"); }};
+    EXPECT_THROW((void)simplifyCached(cache, mesh.view(), kTargets, {}, nullptr, {}, finish), std::runtime_error);
+    EXPECT_THAT(directory.files(), IsEmpty());
+}
+
+TEST(SimplifyCached, theInputMayGoAsSoonAsItHasBeenReadWhetherTheChainIsFoundOrNot)
+{
+    const TestDirectory directory;
+    LodCache cache(directory.path(), kRoomy);
+    const LodChain expected = simplify(test::makeTwoMaterials(10, false).view(), kTargets).value();
+    for (const bool found : {false, true}) {
+        test::TestMesh mesh = test::makeTwoMaterials(10, false);
+        int calls = 0;
+        const Result<CachedChain> chain = simplifyCached(cache, mesh.view(), kTargets, {}, nullptr, [&] {
+            ++calls;
+            mesh = {}; // A sanitizer sees whoever looks at it after this.
+        });
+        ASSERT_TRUE(chain);
+        EXPECT_EQ(chain.value().found, found);
+        EXPECT_EQ(calls, 1);
+        EXPECT_TRUE(same(chain.value().chain, expected));
+    }
 }
 
 TEST(SimplifyCached, aCancelWinsOverAChainThatIsThere)

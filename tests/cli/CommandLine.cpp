@@ -1,11 +1,13 @@
 #include "CommandLine.h"
 
+#include "support/Child.h"
 #include "support/TestDirectory.h"
 
 #include <sstream>
 #include <stdexcept>
 
 #include <fcntl.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -63,6 +65,28 @@ Outcome runLodsmith(const std::vector<std::string>& arguments, unsigned long fil
     std::vector<std::string> command{LODSMITH_PROGRAM};
     command.insert(command.end(), arguments.begin(), arguments.end());
     return runProgram(command, fileSizeLimit);
+}
+
+pid_t startLodsmith(const std::vector<std::string>& arguments)
+{
+    std::vector<std::string> command{LODSMITH_PROGRAM};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    // Children of a process that was killed come to this one, which can wait for them.
+    ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+    const pid_t leader = lodsmith::test::startChild([&]() -> bool {
+        ::setpgid(0, 0);
+        become(command, "/dev/null", "/dev/null", 0);
+    });
+    ::setpgid(leader, leader); // whoever of the two comes first
+    return leader;
+}
+
+int waitForGroup(pid_t leader)
+{
+    const int status = lodsmith::test::waitFor(leader);
+    while (::waitpid(-leader, nullptr, 0) > 0) {
+    }
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 } // namespace lodsmith::cli::test

@@ -1,5 +1,9 @@
 #include "QueueFixture.h"
 
+#include <support/TestDirectory.h>
+
+#include <lodsmith/cache/LodCache.h>
+
 #include <OgreMeshManager.h>
 
 #include <gmock/gmock.h>
@@ -43,9 +47,14 @@ protected:
         options.workers = 1 + mRandom.bits() % 3;
         options.memoryLimit = mRandom.bits() % 3 == 0 ? 100000 : std::size_t(1) << 28;
         options.frameBudget = std::chrono::microseconds(mRandom.bits() % 500);
+        if (mRandom.bits() % 2 == 0)
+            options.cache = mCache;
         mQueue = std::make_unique<QueuedProgressiveMeshGenerator>(options);
-        mQueue->signals().injected.connect(
-            [this](const Ogre::MeshPtr& mesh, const LodReport&) { checkInjection(*mesh); });
+        mQueue->signals().injected.connect([this](const Ogre::MeshPtr& mesh, const LodReport& report) {
+            mFromCache += report.fromCache ? 1 : 0;
+            EXPECT_FALSE(report.notStored);
+            checkInjection(*mesh);
+        });
         mQueue->signals().failed.connect(
             [](const Ogre::MeshPtr&, const Error& error) { ADD_FAILURE() << describe(error); });
         mQueue->signals().progress.connect([this](const Ogre::MeshPtr& mesh, float share) {
@@ -85,7 +94,7 @@ protected:
         const std::uint32_t levels = 1 + mRandom.bits() % 3;
         for (std::uint32_t i = 0; i < levels; ++i)
             config.levels.push_back({value + static_cast<Ogre::Real>(i) / 4,
-                                     {LevelTarget::Kind::Proportional, mRandom.uniform(0.3, 0.9)},
+                                     {LevelTarget::Kind::Proportional, 0.3 + 0.1 * (mRandom.bits() % 7)},
                                      {}});
         const auto queued = mQueue->generateLodLevels(config, static_cast<float>(mRandom.bits() % 4));
         ASSERT_TRUE(queued) << describe(queued.error());
@@ -135,11 +144,15 @@ protected:
     }
 
     OgreSession mSession;
+    TestDirectory mDirectory;
+    // Too small for all that is generated, so that there is always something to throw out.
+    std::shared_ptr<LodCache> mCache = std::make_shared<LodCache>(mDirectory.path(), 1 << 16);
     TestRandom mRandom{2012};
     std::vector<Ogre::MeshPtr> mMeshes;
     std::map<std::string, Ogre::Real> mExpected; ///< by mesh: the value of its first level, when its request has ended
     int mRequests = 0;
     int mInjected = 0;
+    int mFromCache = 0;
     std::unique_ptr<QueuedProgressiveMeshGenerator> mQueue;
 };
 
@@ -164,7 +177,9 @@ TEST_F(QueueStressTest, EveryRequestEndsAsItShould)
     EXPECT_EQ(mQueue->queued(), 0u);
     EXPECT_EQ(mQueue->heldBytes(), 0u);
     RecordProperty("injected", mInjected);
-    EXPECT_GT(mInjected, 0);
+    RecordProperty("from_cache", mFromCache);
+    EXPECT_GT(mInjected, mFromCache);
+    EXPECT_GT(mFromCache, 0);
     for (const Ogre::MeshPtr& mesh : mMeshes) {
         mesh->load();
         EXPECT_THAT(brokenLevels(*mesh), IsEmpty()) << mesh->getName();

@@ -34,7 +34,8 @@ TEST(PluginSettings, AreAllRead)
     const PluginSettings settings =
         settingsOf("enabled=no\nautomatic = no # by hand\r\n\treplace_levels=yes\nmin_triangles=1234\ngroup=General\n"
                    "metric=quadric\nlevels=6\nquality=0.5\nreinitialise_entities=yes\ngroup=My "
-                   "props\nname=*tree*\nworkers=3\nmemory_mib=64\nframe_ms=0.5");
+                   "props\nname=*tree*\nworkers=3\nmemory_mib=64\nframe_ms=0.5\n"
+                   "cache_mib=8000\ncache_directory=../my cache");
     EXPECT_FALSE(settings.policy.enabled);
     EXPECT_FALSE(settings.policy.automatic);
     EXPECT_TRUE(settings.policy.replaceLevels);
@@ -48,6 +49,8 @@ TEST(PluginSettings, AreAllRead)
     EXPECT_EQ(settings.queue.workers, 3u);
     EXPECT_EQ(settings.queue.memoryLimit, std::size_t(64) << 20);
     EXPECT_EQ(settings.queue.frameBudget.count(), 0.5);
+    EXPECT_EQ(settings.cacheLimit, std::uint64_t(8000) << 20);
+    EXPECT_EQ(settings.cacheDirectory, "../my cache");
 }
 
 TEST(PluginSettings, TheSampleHasTheDefaults)
@@ -68,6 +71,8 @@ TEST(PluginSettings, TheSampleHasTheDefaults)
     EXPECT_EQ(settings.queue.workers, none.queue.workers);
     EXPECT_EQ(settings.queue.memoryLimit, none.queue.memoryLimit);
     EXPECT_EQ(settings.queue.frameBudget, none.queue.frameBudget);
+    EXPECT_EQ(settings.cacheLimit, none.cacheLimit);
+    EXPECT_EQ(settings.cacheDirectory, none.cacheDirectory);
 }
 
 TEST(PluginSettings, WhatIsWrongIsNamedWithItsLine)
@@ -92,6 +97,8 @@ TEST(PluginSettings, WhatIsWrongIsNamedWithItsLine)
     EXPECT_THAT(errorOf("quality=11"), HasSubstr("a number from 0.1 to 10"));
     EXPECT_THAT(errorOf("quality=high"), HasSubstr("a number from 0.1 to 10"));
     EXPECT_THAT(errorOf("group="), HasSubstr("a name is missing"));
+    EXPECT_THAT(errorOf("cache_mib=1048577"), HasSubstr("from 0 to 1048576"));
+    EXPECT_THAT(errorOf("cache_directory="), HasSubstr("a path is missing"));
 }
 
 } // namespace

@@ -36,7 +36,9 @@ protected:
                                         "Plugin=" LODSMITH_OGRE_PLUGIN_DIR "/RenderSystem_GL\n"
                                         "Plugin=" LODSMITH_OGRE_PLUGIN_DIR "/Codec_STBI\n"
                                             + furtherLines);
-        const std::string command = "'" LODSMITH_STOCK_PROGRAM "' plugins.cfg '" LODSMITH_MEDIA_DIR "' "
+        // The plugin's cache belongs to the test as well.
+        const std::string command = "XDG_CACHE_HOME=\"$PWD\" '" LODSMITH_STOCK_PROGRAM
+                                    "' plugins.cfg '" LODSMITH_MEDIA_DIR "' "
                                     + std::to_string(seconds) + " > figures";
         EXPECT_EQ(std::system(command.c_str()), 0);
         std::istringstream output(contentOf("figures"));

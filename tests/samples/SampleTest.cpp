@@ -30,8 +30,10 @@ protected:
     std::string run(const std::string& options)
     {
         const VirtualDisplay display;
-        const std::string command = "'" LODSMITH_SAMPLE "' --objects 30 --width 160 --height 90 --frames 5 " + options
-                                    + " > '" + (mDirectory / "output").string() + "' 2> '" + errorFile().string() + "'";
+        const std::string command = "XDG_CACHE_HOME='" + mDirectory.path().string()
+                                    + "' '" LODSMITH_SAMPLE "' --objects 30 --width 160 --height 90 --frames 5 "
+                                    + options + " > '" + (mDirectory / "output").string() + "' 2> '"
+                                    + errorFile().string() + "'";
         mStatus = std::system(command.c_str());
         return contentOf(mDirectory / "output");
     }

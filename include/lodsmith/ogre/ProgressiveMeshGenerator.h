@@ -6,10 +6,14 @@
 #include <lodsmith/core/Result.h>
 #include <lodsmith/ogre/LodConfig.h>
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace lodsmith {
+
+class LodCache;
 
 /// What generation did with one level of the configuration, level 1 first.
 struct LodLevelReport {
@@ -31,7 +35,9 @@ struct LodReport {
     CleaningReport cleaned;
     std::vector<std::string> notes; ///< submeshes left alone, things converted
     std::vector<LodLevelReport> levels;
-    double orderSeconds = 0.0; ///< spent ordering index buffers for the vertex cache
+    double orderSeconds = 0.0; ///< spent ordering index buffers for the vertex cache; 0 when they came from the cache
+    bool fromCache = false;    ///< the generated levels were taken from the cache
+    std::optional<Error> notStored{}; ///< there is a cache, but they could not be stored in it: why
 };
 
 /// Makes LOD levels and attaches them to the mesh, where and when it is called.
@@ -45,6 +51,9 @@ struct LodReport {
 /// Main thread only, as MeshReader. On an error the mesh is as it was.
 class LODSMITH_API ProgressiveMeshGenerator {
 public:
+    /// @param cache where generated levels are looked for and kept, docs/cache.md; null for nowhere
+    explicit ProgressiveMeshGenerator(std::shared_ptr<LodCache> cache = nullptr);
+
     /// Checks the configuration, reads the mesh, simplifies the generated levels in one pass, orders their triangles for the
     /// vertex cache and writes them. Errors: those of MeshReader::read(), simplify() and
     /// MeshWriter::write(); file is the mesh's name, subMesh its number in the mesh.
@@ -54,6 +63,9 @@ public:
     /// range, and InvalidGeometry without a bounding radius.
     Result<LodReport> generateAutoconfiguredLodLevels(const Ogre::MeshPtr& mesh, Progress* progress = nullptr,
                                                       const AutomaticLods& automatic = {});
+
+private:
+    std::shared_ptr<LodCache> mCache;
 };
 
 } // namespace lodsmith

@@ -11,6 +11,7 @@
 
 namespace lodsmith {
 
+class LodCache;
 struct QueueParts;
 
 struct QueueOptions {
@@ -21,6 +22,9 @@ struct QueueOptions {
     std::size_t memoryLimit = std::size_t(256) << 20;
     /// What the injector may spend a frame (PMInjector::setBudget()).
     PMInjector::Milliseconds frameBudget{2.0};
+    /// Where generated levels are looked for and kept from one start to the next, docs/cache.md; null for nowhere. The workers
+    /// read and write it, and may share it with other queues and generators.
+    std::shared_ptr<LodCache> cache = nullptr;
 };
 
 /// Makes LOD levels in the background and attaches them to the mesh: ProgressiveMeshGenerator for a running program, with the
@@ -72,6 +76,9 @@ public:
     std::size_t queued() const;
     /// What counts against QueueOptions::memoryLimit now. Of a cancelled computation until it has stopped.
     std::size_t heldBytes() const;
+
+    /// QueueOptions::cache.
+    const std::shared_ptr<LodCache>& cache() const;
 
     PMInjector& injector() { return *mInjector; }
     PMInjectorSignaler& signals();
