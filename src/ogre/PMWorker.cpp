@@ -1,5 +1,7 @@
 #include "PMWorker.h"
 
+#include "BackgroundThread.h"
+
 #include <exception>
 #include <new>
 #include <system_error>
@@ -131,6 +133,7 @@ void PMWorker::stop()
 
 void PMWorker::run()
 {
+    becomeBackgroundThread();
     std::unique_lock<std::mutex> lock(mMutex);
     for (;;) {
         mWorkCame.wait(lock, [this] { return mStopping || !mQueue.empty(); });

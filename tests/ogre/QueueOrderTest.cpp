@@ -4,8 +4,15 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <thread>
+
+#if defined(__linux__)
+#    include <sys/resource.h>
+#    include <unistd.h>
+#endif
 
 namespace lodsmith::test {
 namespace {
@@ -192,6 +199,29 @@ TEST_F(QueuedGeneratorTest, SeveralWorkersComputeAtOnce)
     finish();
     EXPECT_EQ(mEvents.size(), 5u);
 }
+
+#if defined(__linux__)
+int nicenessOfThisThread()
+{
+    return getpriority(PRIO_PROCESS, static_cast<id_t>(gettid()));
+}
+
+TEST_F(QueuedGeneratorTest, WorkersGiveWayToTheProgram)
+{
+    const int before = nicenessOfThisThread();
+    std::atomic<int> nicenessOfWorker{before};
+    QueueParts parts;
+    parts.compute = [&](PreparedLods& prepared, Progress* progress) {
+        nicenessOfWorker = nicenessOfThisThread();
+        return computeLods(prepared, progress);
+    };
+    makeQueue(workers(1), parts);
+    ASSERT_TRUE(mQueue->generateLodLevels(config(grid("grid", 4), {0.5})));
+    finish();
+    EXPECT_EQ(nicenessOfWorker, std::min(before + 10, 19));
+    EXPECT_EQ(nicenessOfThisThread(), before);
+}
+#endif
 
 TEST_F(QueuedGeneratorTest, ProgressIsToldOnceAnUpdateWhenItHasRisen)
 {
