@@ -57,10 +57,15 @@ double queued(const Subjects& subjects, const QueueOptions& options)
 {
     const Stopwatch watch;
     QueuedProgressiveMeshGenerator queue(options);
+    std::string trouble;
+    queue.signals().failed.connect([&](const Ogre::MeshPtr&, const Error& error) { trouble = describe(error); });
     for (const auto& subject : subjects)
         expect(queue.generateLodLevels(halvedLevels(subject->mesh())));
     queue.injector().finishAll();
-    return watch.seconds();
+    const double seconds = watch.seconds();
+    if (!trouble.empty())
+        throw std::runtime_error(trouble);
+    return seconds;
 }
 
 struct Way {

@@ -38,8 +38,12 @@ Result<PluginSettings> readSettings()
     Ogre::String path = kSettingsFile;
     if (!Ogre::FileSystemLayer::fileExists(path))
         path = Ogre::FileSystemLayer(OGRE_VERSION_NAME).getConfigFilePath(path);
-    if (!Ogre::FileSystemLayer::fileExists(path))
+    auto& log = Ogre::LogManager::getSingleton();
+    if (!Ogre::FileSystemLayer::fileExists(path)) {
+        log.logMessage("Lodsmith: no " + Ogre::String(kSettingsFile) + ", all settings are the defaults");
         return PluginSettings();
+    }
+    log.logMessage("Lodsmith: settings from " + path);
     std::ifstream file(path, std::ios::binary);
     if (!file)
         return Error{ErrorCode::Io, "cannot be read", path};
@@ -93,9 +97,12 @@ public:
     void install() override {}
     void uninstall() override {}
 
-    /// Once the render system is there, and the managers that need it.
+    /// Once the render system is there, and the managers that need it. OGRE calls it twice when a plugin is loaded between its
+    /// beginning and its first window.
     void initialise() override
     {
+        if (mLods)
+            return;
         auto& log = Ogre::LogManager::getSingleton();
         try {
             const Result<PluginSettings> settings = readSettings();

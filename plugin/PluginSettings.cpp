@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <set>
 #include <sstream>
 
 namespace lodsmith {
@@ -20,12 +21,23 @@ std::string_view trimmed(std::string_view text)
                                            : text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
+/// The line without its comment, which a # begins at the front or behind a blank: names and paths may hold one.
+std::string_view withoutComment(std::string_view line)
+{
+    for (std::size_t at = line.find('#'); at != std::string_view::npos; at = line.find('#', at + 1))
+        if (at == 0 || kBlank.find(line[at - 1]) != std::string_view::npos)
+            return line.substr(0, at);
+    return line;
+}
+
 /// One setting after another. What went wrong is what would have been right.
 class Reader {
 public:
     /// Empty when the line is in order.
     std::string read(std::string_view key, std::string_view value)
     {
+        if (const bool isNew = mRead.emplace(key).second; !isNew && key != "group" && key != "name")
+            return "'" + std::string(key) + "' has been set above; only group and name may stand more than once";
         if (key == "enabled")
             return readFlag(value, mSettings.policy.enabled);
         if (key == "automatic")
@@ -137,6 +149,7 @@ private:
     }
 
     PluginSettings mSettings;
+    std::set<std::string> mRead;
 };
 
 } // namespace
@@ -146,7 +159,7 @@ Result<PluginSettings> parsePluginSettings(std::string_view text, const std::str
     Reader reader;
     for (int line = 1; !text.empty(); ++line) {
         const std::size_t end = text.find('\n');
-        const std::string_view content = trimmed(text.substr(0, end).substr(0, text.substr(0, end).find('#')));
+        const std::string_view content = trimmed(withoutComment(text.substr(0, end)));
         text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
         if (content.empty())
             continue;

@@ -37,8 +37,7 @@ check_examples() {
 }
 
 check_examples README.md tests/consumer/AddLods.cpp src/samples/LibraryLods.h
-check_examples docs/runtime.md tests/ogre/LodManagerTest.cpp tests/ogre/DefinedLodConfigTest.cpp tests/ogre/BackgroundLods.h \
-    src/samples/LibraryLods.h
+check_examples docs/runtime.md src/samples/LibraryLods.h tests/ogre/DefinedLodConfigTest.cpp tests/ogre/BackgroundLods.h
 
 # run_commands FILE: runs its `lodsmith` commands in their order.
 run_commands() {

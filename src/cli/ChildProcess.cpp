@@ -23,7 +23,7 @@ static_assert(std::atomic<float>::is_always_lock_free, "Progress is shared betwe
 constexpr std::size_t kQuotedBytes = 600;
 
 // The sanitizers' shadow memory takes terabytes of address space.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(LODSMITH_SANITIZED)
 constexpr bool kCanLimitMemory = false;
 #else
 constexpr bool kCanLimitMemory = true;

@@ -55,7 +55,10 @@ CLI::Option* addCountOption(CLI::App& command, const std::string& name, unsigned
 void addWriteOptions(CLI::App& command, WriteOptions& options)
 {
     command.add_flag_callback(
-        "--force", [&options] { options.overwriting.existing = Existing::Replace; },
+        "--force",
+        [&options] {
+            options.overwriting = {Existing::Replace, nextFileTime()};
+        },
         "Overwrite files that are there already");
     addParsedOption(command, "--mesh-version", "Mesh format to write: 1.0, 1.4, 1.41, 1.8 or 1.10 [1.10]",
                     [&options](const std::string& word) -> Result<Done> {

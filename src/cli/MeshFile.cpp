@@ -6,7 +6,12 @@
 
 #include <OgreSubMesh.h>
 
+#include <chrono>
 #include <memory>
+#include <thread>
+
+#include <sys/stat.h>
+#include <time.h>
 
 namespace fs = std::filesystem;
 
@@ -71,6 +76,11 @@ Result<Done> checkFormat(const Ogre::Mesh& mesh, const MeshFormat& format)
     return Done{};
 }
 
+std::int64_t nanoseconds(const timespec& time)
+{
+    return std::int64_t(time.tv_sec) * 1000000000 + time.tv_nsec;
+}
+
 /// A companion on its way to its place.
 struct Copy {
     std::unique_ptr<AtomicFile> file; // null when nothing has to be done
@@ -108,11 +118,11 @@ Result<Copy> prepareCopy(const Companion& companion, const fs::path& target, Exi
 }
 
 /// Meshes of different directories that go to one may bring different files of one name: two skeletons, for instance.
-Result<Done> checkOtherMeshes(const Copy& copy, fs::file_time_type runBegan)
+Result<Done> checkOtherMeshes(const Copy& copy, std::int64_t runBegan)
 {
-    std::error_code absent;
-    const fs::file_time_type written = fs::last_write_time(copy.target, absent);
-    if (absent || written < runBegan || hasContent(copy.target, copy.content))
+    struct stat status = {};
+    if (::stat(copy.target.c_str(), &status) != 0 || nanoseconds(status.st_mtim) < runBegan
+        || hasContent(copy.target, copy.content))
         return Done{};
     Error error =
         withMessage(ErrorCode::InvalidSetting, "another mesh of this run has brought a different file of this name; "
@@ -121,12 +131,13 @@ Result<Done> checkOtherMeshes(const Copy& copy, fs::file_time_type runBegan)
     return error;
 }
 
-Result<Done> commitCopy(const Copy& copy, fs::file_time_type runBegan)
+Result<Done> commitCopy(const Copy& copy, const Overwriting& overwriting)
 {
     if (!copy.file)
         return Done{};
-    if (auto free = checkOtherMeshes(copy, runBegan); !free)
-        return free;
+    if (overwriting.existing == Existing::Replace)
+        if (auto free = checkOtherMeshes(copy, overwriting.runBegan); !free)
+            return free;
     auto committed = copy.file->commit();
     // Another process may have brought the same file in the meantime, for a mesh with the same skeleton.
     return committed || hasContent(copy.target, copy.content) ? Result<Done>(Done{}) : committed;
@@ -196,6 +207,18 @@ std::vector<Companion> findSkeleton(const Ogre::Mesh& mesh, const fs::path& mesh
     return {};
 }
 
+std::int64_t nextFileTime()
+{
+    // Time stamps are taken from the clock of ticks, which lags behind, or from the exact one.
+    timespec exact = {}, ticks = {};
+    ::clock_gettime(CLOCK_REALTIME, &exact);
+    do {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        ::clock_gettime(CLOCK_REALTIME_COARSE, &ticks);
+    } while (nanoseconds(ticks) <= nanoseconds(exact));
+    return nanoseconds(ticks);
+}
+
 Result<Done> checkOutput(const fs::path& target, Existing existing)
 {
     const Result<Done> allowed = AtomicFile::checkTarget(target, existing);
@@ -218,7 +241,7 @@ Result<Done> writeMeshFiles(const fs::path& target, const std::string& bytes, co
         return withHint(prepared.error(), target, overwriting.existing);
 
     for (const Copy& copy : copies)
-        if (auto committed = commitCopy(copy, overwriting.runBegan); !committed)
+        if (auto committed = commitCopy(copy, overwriting); !committed)
             return committed;
     return mesh.commit();
 }

@@ -7,6 +7,7 @@
 #include <OgreMesh.h>
 #include <OgreMeshSerializer.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -45,11 +46,15 @@ std::vector<Companion> findSkeleton(const Ogre::Mesh& mesh, const std::filesyste
 /// AtomicFile::checkTarget(), whose error says so when --force would help.
 Result<Done> checkOutput(const std::filesystem::path& target, Existing existing);
 
+/// Nanoseconds since 1970, as time stamps of files count them: whatever is written from now on has this time or a later one,
+/// and what has been written an earlier one. That takes a step of theirs to pass, some milliseconds.
+std::int64_t nextFileTime();
+
 /// What becomes of files that are there already.
 struct Overwriting {
     Existing existing = Existing::Keep;
-    /// What was written since then belongs to another mesh of the same run.
-    std::filesystem::file_time_type runBegan = std::filesystem::file_time_type::clock::now();
+    /// With Existing::Replace, a nextFileTime(): what is younger belongs to another mesh of the same run.
+    std::int64_t runBegan = 0;
 };
 
 /// Writes a mesh and copies its companions, all or nothing. A companion that is there already with the same content

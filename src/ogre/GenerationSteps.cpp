@@ -48,7 +48,7 @@ Result<CachedChain> makeOrFind(PreparedLods& prepared, Progress* progress, const
 {
     const auto letGo = [&] { prepared.data.releaseArrays(); };
     const MeshView& view = prepared.data.view();
-    if (prepared.cache)
+    if (prepared.cache && !prepared.targets.empty())
         return simplifyCached(*prepared.cache, view, prepared.targets, prepared.options, progress, letGo, finish);
     Result<LodChain> chain = simplify(view, prepared.targets, prepared.options, progress, letGo);
     if (!chain)

@@ -231,7 +231,8 @@ Result<LodDecision> LodManager::give(LodConfig config, Occasion occasion)
     const bool atOnce = isHandMade(config) || (isLoading && mesh->hasManualLodLevel());
     config.reinitialiseEntities = mPolicy.reinitialiseEntities || (isLoading && atOnce);
     if (!atOnce) {
-        if (const Result<Done> queued = mQueue.generateLodLevels(config); !queued)
+        // Large ones are seen from afar, and stand in many frames.
+        if (const Result<Done> queued = mQueue.generateLodLevels(config, mesh->getBoundingSphereRadius()); !queued)
             return queued.error();
     } else if (const Result<LodReport> report = ProgressiveMeshGenerator(mQueue.cache()).generateLodLevels(config);
                !report)

@@ -293,10 +293,12 @@ void attach(const LodConfig& config, const LodPlan& plan, PreparedLevels prepare
     for (std::size_t i = 0; i < prepared.convertedLevelZero.size(); ++i)
         if (prepared.convertedLevelZero[i])
             replaceLevelZero(*mesh.getSubMesh(i), *prepared.convertedLevelZero[i]);
-    // Entities hold one entity a level as soon as the mesh has, or ever had, a manual one.
+    // Entities hold one entity a level as soon as the mesh has, or ever had, a manual one. One that is not initialised may be
+    // about to be, having loaded the mesh for that.
     if (config.reinitialiseEntities && mesh.hasManualLodLevel())
         for (Ogre::Entity* entity : livingEntities(mesh))
-            entity->_initialise(true);
+            if (entity->isInitialised())
+                entity->_initialise(true);
 }
 
 } // namespace

@@ -84,7 +84,7 @@ TEST(BatchRunner, aHangEndsAtTheTimeLimit)
 
 TEST(BatchRunner, memoryIsBounded)
 {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(LODSMITH_SANITIZED)
     GTEST_SKIP() << "sanitizers need more address space than any limit allows";
 #else
     const auto greedy = [](Progress&) -> Result<Json> {

@@ -115,9 +115,7 @@ TEST(MeshFile, twoMeshesOfOneRunDoNotReplaceEachOthersSkeletons)
     directory.write("first/x.skeleton", "bones");
     directory.write("second/x.skeleton", "other bones");
     directory.write("out/x.skeleton", "bones of an earlier run");
-    const auto now = fs::file_time_type::clock::now();
-    fs::last_write_time(directory / "out/x.skeleton", now - std::chrono::hours(1));
-    const Overwriting run{Existing::Replace, now - std::chrono::minutes(1)};
+    const Overwriting run{Existing::Replace, nextFileTime()};
     const std::vector<Companion> first{{directory / "first/x.skeleton", "x.skeleton"}};
     const std::vector<Companion> second{{directory / "second/x.skeleton", "x.skeleton"}};
     ASSERT_TRUE(writeMeshFiles(directory / "out/first.mesh", "mesh", first, run));

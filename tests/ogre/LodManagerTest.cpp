@@ -371,10 +371,7 @@ TEST_F(LodManagerTest, AMeshOfNoFileIsMetWhenItIsLoaded)
     const Ogre::MeshPtr mesh = makeOgreMesh("made", makeUvSphere(40, 30));
     mesh->load();
     mQueue->injector().finishAll();
-    EXPECT_TRUE(mesh->isLoaded());
-    const Result<LodDecision> decision = mManager->apply(mesh);
-    ASSERT_TRUE(decision) << describe(decision.error());
-    EXPECT_EQ(decision.value(), LodDecision::Queued);
+    EXPECT_GT(mesh->getNumLodLevels(), 1);
 }
 
 } // namespace

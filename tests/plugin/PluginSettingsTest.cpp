@@ -78,7 +78,7 @@ TEST(PluginSettings, TheSampleHasTheDefaults)
 TEST(PluginSettings, WhatIsWrongIsNamedWithItsLine)
 {
     const auto errorOf = [](const std::string& line) {
-        const Result<PluginSettings> settings = parsePluginSettings("enabled=yes\n\n" + line + "\n", "a/lodsmith.cfg");
+        const Result<PluginSettings> settings = parsePluginSettings("group=a\nautomatic=yes\n" + line + "\n", "a/lodsmith.cfg");
         return settings.ok() ? "none" : describe(settings.error());
     };
     EXPECT_THAT(errorOf("enabeld=yes"), HasSubstr("a/lodsmith.cfg:3: 'enabeld' is no setting; there are enabled"));
@@ -99,6 +99,16 @@ TEST(PluginSettings, WhatIsWrongIsNamedWithItsLine)
     EXPECT_THAT(errorOf("group="), HasSubstr("a name is missing"));
     EXPECT_THAT(errorOf("cache_mib=1048577"), HasSubstr("from 0 to 1048576"));
     EXPECT_THAT(errorOf("cache_directory="), HasSubstr("a path is missing"));
+    EXPECT_THAT(errorOf("automatic=yes"), HasSubstr("a/lodsmith.cfg:3: 'automatic' has been set above"));
+}
+
+TEST(PluginSettings, ACommentBeginsBehindABlank)
+{
+    const PluginSettings settings =
+        settingsOf("cache_directory=/data/#1 # of two\nname=a#b*\t#c\n #group=General\n#name=d");
+    EXPECT_EQ(settings.cacheDirectory, "/data/#1");
+    EXPECT_THAT(settings.policy.names, ElementsAre("a#b*"));
+    EXPECT_THAT(settings.policy.groups, IsEmpty());
 }
 
 } // namespace

@@ -20,7 +20,7 @@ namespace lodsmith {
 
 /// Which meshes get levels by themselves, and what levels these are.
 struct LodPolicy {
-    /// Off: nothing happens when a mesh is loaded.
+    /// Off: no mesh gets levels when it is loaded.
     bool enabled = true;
     /// Meshes without a definition get automatic levels; off: definitions alone count.
     bool automatic = true;
