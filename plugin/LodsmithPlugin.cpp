@@ -1,5 +1,7 @@
 #include "PluginSettings.h"
 
+#include "../src/files/AtomicFile.h"
+
 #include <lodsmith/cache/LodCache.h>
 #include <lodsmith/ogre/LodDefinitionManager.h>
 #include <lodsmith/ogre/LodManager.h>
@@ -11,13 +13,19 @@
 #include <OgrePlugin.h>
 #include <OgreRoot.h>
 
+#include <cstdint>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <utility>
+
+#if !defined(_WIN32)
+#    include <pwd.h>
+#    include <unistd.h>
+#endif
 
 #if defined(_WIN32)
 #    define LODSMITH_PLUGIN_API extern "C" __declspec(dllexport)
@@ -30,31 +38,48 @@ namespace lodsmith {
 namespace {
 
 constexpr const char* kSettingsFile = "lodsmith.cfg";
+constexpr std::uintmax_t kMostSettingsBytes = 1 << 20;
+
+/// OGRE looks for a user's directories without looking whether there is a user.
+bool userHasHome()
+{
+#if defined(_WIN32)
+    return true;
+#else
+    return std::getenv("HOME") || ::getpwuid(::getuid());
+#endif
+}
+
+/// Also a link that leads nowhere is there: what cannot be read is an error, and not the same as nothing.
+bool isThere(const Ogre::String& path)
+{
+    std::error_code ignored;
+    return std::filesystem::exists(std::filesystem::symlink_status(path, ignored));
+}
 
 /// The settings in the working directory, beside the program, or where else OGRE looks for .cfg files; the defaults when
 /// there are none.
 Result<PluginSettings> readSettings()
 {
-    Ogre::String path = kSettingsFile;
-    if (!Ogre::FileSystemLayer::fileExists(path))
-        path = Ogre::FileSystemLayer(OGRE_VERSION_NAME).getConfigFilePath(path);
     auto& log = Ogre::LogManager::getSingleton();
-    if (!Ogre::FileSystemLayer::fileExists(path)) {
+    Ogre::String path = kSettingsFile;
+    if (!isThere(path) && userHasHome())
+        path = Ogre::FileSystemLayer(OGRE_VERSION_NAME).getConfigFilePath(path);
+    if (!isThere(path)) {
         log.logMessage("Lodsmith: no " + Ogre::String(kSettingsFile) + ", all settings are the defaults");
         return PluginSettings();
     }
     log.logMessage("Lodsmith: settings from " + path);
-    std::ifstream file(path, std::ios::binary);
-    if (!file)
-        return Error{ErrorCode::Io, "cannot be read", path};
-    const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    return parsePluginSettings(text, path);
+    const Result<std::string> text = readFile(path, kMostSettingsBytes);
+    return text ? parsePluginSettings(text.value(), path) : text.error();
 }
 
 /// Where OGRE says that a program may write for its user. Nothing when there is no such place: OGRE then names the working
 /// directory, which is no place for a cache.
 std::string directoryOfUser()
 {
+    if (!userHasHome())
+        return {};
     const std::string directory = Ogre::FileSystemLayer("lodsmith").getWritablePath("");
     return std::filesystem::path(directory).is_absolute() ? directory : std::string();
 }

@@ -93,6 +93,8 @@ Result<Ogre::MeshPtr> findManualMesh(const Ogre::String& name, const Ogre::Mesh&
         mesh = findMesh(name, owner.getGroup());
     } catch (const Ogre::Exception& exception) {
         return Error{ErrorCode::NotFound, "the mesh \"" + name + "\" cannot be loaded: " + exception.getDescription()};
+    } catch (const std::exception& exception) { // OGRE throws std::bad_cast over a file that is no mesh
+        return Error{ErrorCode::NotFound, "the mesh \"" + name + "\" cannot be loaded: " + exception.what()};
     }
     if (!mesh)
         return Error{ErrorCode::NotFound, "there is no mesh \"" + name + "\" in the group " + owner.getGroup()};

@@ -78,7 +78,8 @@ TEST(PluginSettings, TheSampleHasTheDefaults)
 TEST(PluginSettings, WhatIsWrongIsNamedWithItsLine)
 {
     const auto errorOf = [](const std::string& line) {
-        const Result<PluginSettings> settings = parsePluginSettings("group=a\nautomatic=yes\n" + line + "\n", "a/lodsmith.cfg");
+        const Result<PluginSettings> settings =
+            parsePluginSettings("group=a\nautomatic=yes\n" + line + "\n", "a/lodsmith.cfg");
         return settings.ok() ? "none" : describe(settings.error());
     };
     EXPECT_THAT(errorOf("enabeld=yes"), HasSubstr("a/lodsmith.cfg:3: 'enabeld' is no setting; there are enabled"));

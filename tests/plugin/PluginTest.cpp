@@ -136,6 +136,18 @@ TEST_F(PluginTest, IsOffWhenItsSettingsAreWrong)
     EXPECT_EQ(warnings("Lodsmith is off: lodsmith.cfg:1: 'many' has to be"), 1);
 }
 
+TEST_F(PluginTest, IsOffWhenItsSettingsCannotBeRead)
+{
+    fs::create_directory("lodsmith.cfg");
+    start();
+    EXPECT_EQ(warnings("Lodsmith is off: lodsmith.cfg: "), 1);
+    mSession.reset();
+    fs::remove("lodsmith.cfg");
+    fs::create_symlink("nowhere", "lodsmith.cfg");
+    start();
+    EXPECT_EQ(warnings("Lodsmith is off: lodsmith.cfg: "), 1);
+}
+
 TEST_F(PluginTest, IsMadeOnceHoweverOftenOgreInitialisesIt)
 {
     start();
