@@ -89,8 +89,8 @@ std::shared_ptr<LodCache> makeCache(const PluginSettings& settings)
     if (settings.cacheLimit == 0)
         return nullptr;
     const std::string directory = settings.cacheDirectory.empty() ? directoryOfUser() : settings.cacheDirectory;
-    if (!directory.empty())
-        return std::make_shared<LodCache>(directory, settings.cacheLimit);
+    if (!directory.empty()) // absolute, for programs that change their working directory
+        return std::make_shared<LodCache>(std::filesystem::absolute(directory), settings.cacheLimit);
     Ogre::LogManager::getSingleton().logWarning("Lodsmith has no cache: this user has no directory for one");
     return nullptr;
 }

@@ -13,6 +13,7 @@ namespace lodsmith {
 namespace {
 
 constexpr std::string_view kBlank = " \t\r";
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF"; // some editors put it before UTF-8
 
 std::string_view trimmed(std::string_view text)
 {
@@ -157,6 +158,8 @@ private:
 Result<PluginSettings> parsePluginSettings(std::string_view text, const std::string& fileName)
 {
     Reader reader;
+    if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark)
+        text.remove_prefix(kByteOrderMark.size());
     for (int line = 1; !text.empty(); ++line) {
         const std::size_t end = text.find('\n');
         const std::string_view content = trimmed(withoutComment(text.substr(0, end)));

@@ -127,7 +127,7 @@ int run(int argc, char** argv)
     app.add_option("--width", options.width, "Of the window, in pixels")->check(CLI::Range(64, 8192));
     app.add_option("--height", options.height, "Of the window, in pixels")->check(CLI::Range(64, 8192));
     app.add_option("--frames", options.frames, "Draw one round in so many frames, say what they cost, and end");
-    app.add_option("--warm-up", options.warmUpSeconds, "Seconds of drawing beforehand")->check(CLI::Range(0, 3600));
+    app.add_option("--warm-up", options.warmUpSeconds, "Seconds of drawing beforehand")->check(CLI::Range(0.0, 3600.0));
     app.add_option("--screenshot", options.screenshot, "File for the last of --frames")->needs("--frames");
     CLI11_PARSE(app, argc, argv);
     options.levels = noLods ? Levels::None : plugin ? Levels::Plugin : Levels::Library;

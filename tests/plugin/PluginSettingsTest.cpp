@@ -21,7 +21,7 @@ PluginSettings settingsOf(const std::string& text)
 
 TEST(PluginSettings, OfAnEmptyFileAreTheDefaults)
 {
-    for (const char* text : {"", "\n\n", "# nothing\r\n \t \n#"}) {
+    for (const char* text : {"", "\xEF\xBB\xBF", "\n\n", "# nothing\r\n \t \n#"}) {
         const PluginSettings settings = settingsOf(text);
         EXPECT_TRUE(settings.policy.enabled);
         EXPECT_EQ(settings.policy.minTriangles, LodPolicy().minTriangles);

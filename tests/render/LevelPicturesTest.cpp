@@ -3,6 +3,7 @@
 #include <support/MeshBuilders.h>
 #include <support/OgreMeshBuilder.h>
 
+#include <lodsmith/ogre/DefinedLodConfig.h>
 #include <lodsmith/ogre/MeshReader.h>
 #include <lodsmith/ogre/MeshWriter.h>
 #include <lodsmith/ogre/ProgressiveMeshGenerator.h>
@@ -12,6 +13,7 @@
 #include <OgreCamera.h>
 #include <OgreEntity.h>
 #include <OgreLight.h>
+#include <OgreMeshSerializer.h>
 #include <OgreSceneManager.h>
 #include <OgreSceneNode.h>
 #include <OgreSubEntity.h>
@@ -19,6 +21,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <fstream>
 #include <map>
 #include <string>
 #include <thread>
@@ -191,6 +194,25 @@ TEST_F(LevelPicturesTest, ALevelWithAnEmptiedSubMeshIsDrawnWithoutIt)
         EXPECT_EQ(mSession->picture().rgb, one.rgb) << (shadows ? "with shadows" : "without");
         mSession->scene().destroyEntity(&entity);
     }
+}
+
+TEST_F(LevelPicturesTest, APictureIsNoHandMadeLevel)
+{
+    // OGRE knows a codec for it here, and throws what is no exception of its own.
+    std::ofstream(mSession->directory() / "picture.png") << "paint";
+    Ogre::MeshSerializer().exportMesh(makeOgreMesh("sphere", makeUvSphere(20, 12)).get(),
+                                      (mSession->directory() / "ball.mesh").string());
+    LodDefinition definition;
+    definition.automatic = false;
+    definition.levels.resize(1);
+    definition.levels[0].value = 20;
+    definition.levels[0].meshName = "picture.png";
+    const auto config = lodConfig(definition, mSession->load(mSession->directory() / "ball.mesh"));
+    ASSERT_TRUE(config) << describe(config.error());
+    EXPECT_TRUE(config.value().config.levels.empty());
+    ASSERT_EQ(config.value().leftOut.size(), 1u);
+    EXPECT_NE(config.value().leftOut[0].message.find("\"picture.png\" cannot be loaded"), std::string::npos)
+        << describe(config.value().leftOut[0]);
 }
 
 TEST_F(LevelPicturesTest, ShadowsFallAtEveryLevelOnceItIsInjected)
