@@ -12,9 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <ostream>
-
-#include <time.h>
 
 namespace lodsmith::benchmarks {
 

@@ -7,11 +7,11 @@
 #include <OgreSubMesh.h>
 
 #include <chrono>
+#include <ctime>
 #include <memory>
 #include <thread>
 
 #include <sys/stat.h>
-#include <time.h>
 
 namespace fs = std::filesystem;
 
