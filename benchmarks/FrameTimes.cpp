@@ -5,13 +5,11 @@
 
 #include "../tests/support/RenderSession.h"
 
-#include <OgreCamera.h>
 #include <OgreEntity.h>
 #include <OgreRoot.h>
 #include <OgreSceneNode.h>
 
 #include <algorithm>
-#include <cmath>
 #include <ctime>
 #include <ostream>
 

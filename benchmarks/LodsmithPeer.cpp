@@ -7,14 +7,20 @@
 
 namespace lodsmith::benchmarks {
 
-double LodsmithPeer::generate(Subject& subject, const std::vector<LevelTarget>& targets)
+LodConfig levelsAtDistances(const Ogre::MeshPtr& mesh, const std::vector<LevelTarget>& targets)
 {
     LodConfig config;
-    config.mesh = subject.mesh();
-    config.options = mOptions;
+    config.mesh = mesh;
     Ogre::Real distance = 0;
     for (const LevelTarget& target : targets)
         config.levels.push_back({distance += 100, target, ""});
+    return config;
+}
+
+double LodsmithPeer::generate(Subject& subject, const std::vector<LevelTarget>& targets)
+{
+    LodConfig config = levelsAtDistances(subject.mesh(), targets);
+    config.options = mOptions;
 
     const auto start = std::chrono::steady_clock::now();
     Result<LodReport> report = ProgressiveMeshGenerator().generateLodLevels(config);

@@ -6,6 +6,9 @@
 
 namespace lodsmith::benchmarks {
 
+/// One level a target, at distances of 100, 200 and so on.
+LodConfig levelsAtDistances(const Ogre::MeshPtr& mesh, const std::vector<LevelTarget>& targets);
+
 /// ProgressiveMeshGenerator on the loaded mesh, without the time it spends on vertex-cache order.
 class LodsmithPeer : public Peer {
 public:

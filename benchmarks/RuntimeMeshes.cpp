@@ -1,17 +1,12 @@
 #include "RuntimeMeshes.h"
 
-#include "Peer.h"
+#include "LodsmithPeer.h"
 
 namespace lodsmith::benchmarks {
 
 LodConfig halvedLevels(const Ogre::MeshPtr& mesh)
 {
-    LodConfig config;
-    config.mesh = mesh;
-    Ogre::Real distance = 0;
-    for (const LevelTarget& target : halvings())
-        config.levels.push_back({distance += 100, target, ""});
-    return config;
+    return levelsAtDistances(mesh, halvings());
 }
 
 std::vector<std::unique_ptr<Subject>> subjectsUpTo(std::uint32_t triangles)

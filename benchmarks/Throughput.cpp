@@ -4,13 +4,13 @@
 #include "RuntimeMeshes.h"
 #include "Timing.h"
 
+#include "../tests/support/TestDirectory.h"
+
 #include <lodsmith/cache/LodCache.h>
 
 #include <filesystem>
 #include <functional>
 #include <ostream>
-
-#include <unistd.h>
 
 namespace lodsmith::benchmarks {
 
@@ -21,29 +21,6 @@ namespace fs = std::filesystem;
 constexpr std::uint32_t kMostTriangles = 100100;
 
 using Subjects = std::vector<std::unique_ptr<Subject>>;
-
-/// A directory that goes with its object.
-class CacheDirectory {
-public:
-    CacheDirectory() { fs::create_directories(mPath); }
-    ~CacheDirectory()
-    {
-        std::error_code ignored;
-        fs::remove_all(mPath, ignored);
-    }
-    CacheDirectory(const CacheDirectory&) = delete;
-    CacheDirectory& operator=(const CacheDirectory&) = delete;
-
-    std::shared_ptr<LodCache> open() const { return std::make_shared<LodCache>(mPath, std::uint64_t(1) << 30); }
-    void clear() const
-    {
-        for (const auto& entry : fs::directory_iterator(mPath))
-            fs::remove(entry.path());
-    }
-
-private:
-    fs::path mPath = fs::temp_directory_path() / ("lodsmith-benchmark-" + std::to_string(getpid()));
-};
 
 double direct(const Subjects& subjects)
 {
@@ -79,19 +56,22 @@ struct Way {
 void printThroughput(std::ostream& out, int rounds)
 {
     const Subjects subjects = subjectsUpTo(kMostTriangles);
-    const CacheDirectory directory;
-    const auto withCache = [&] {
-        return QueueOptions{1, std::size_t(256) << 20, PMInjector::Milliseconds(2), directory.open()};
+    const test::TestDirectory directory;
+    const fs::path levels = directory / "levels";
+    const auto fromCache = [&] {
+        QueueOptions options{1};
+        options.cache = std::make_shared<LodCache>(levels, std::uint64_t(1) << 30);
+        return queued(subjects, options);
     };
     std::vector<Way> ways{{"direct", [&] { return direct(subjects); }},
                           {"one worker", [&] { return queued(subjects, {1}); }},
                           {"two workers", [&] { return queued(subjects, {2}); }},
                           {"one worker, empty cache",
                            [&] {
-                               directory.clear();
-                               return queued(subjects, withCache());
+                               fs::remove_all(levels);
+                               return fromCache();
                            }},
-                          {"one worker, from the cache", [&] { return queued(subjects, withCache()); }}};
+                          {"one worker, from the cache", fromCache}};
     for (int round = 0; round <= rounds; ++round)
         for (Way& way : ways) {
             const double seconds = way.run();

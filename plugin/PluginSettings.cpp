@@ -1,5 +1,6 @@
 #include "PluginSettings.h"
 
+#include "../src/loddef/LoddefWords.h"
 #include "../src/loddef/NumberText.h"
 
 #include <cstddef>
@@ -115,8 +116,11 @@ private:
 
     std::string readMetric(std::string_view value)
     {
-        mSettings.policy.automaticLods.metric = value == "quadric" ? Metric::Quadric : Metric::Curvature;
-        return value == "quadric" || value == "curvature" ? "" : refuse(value, "quadric or curvature");
+        const Metric* metric = meaningOf(kMetrics, value);
+        if (!metric)
+            return refuse(value, "quadric or curvature");
+        mSettings.policy.automaticLods.metric = *metric;
+        return "";
     }
 
     std::string readLevels(std::string_view value)

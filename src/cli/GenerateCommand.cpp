@@ -1,3 +1,4 @@
+#include "../loddef/LoddefWords.h"
 #include "Commands.h"
 #include "Generation.h"
 #include "GenerationReport.h"
@@ -71,11 +72,9 @@ Result<std::string> parseStrategy(const std::string& word)
 
 Result<Metric> parseMetric(const std::string& word)
 {
-    if (word == "quadric")
-        return Metric::Quadric;
-    if (word == "curvature")
-        return Metric::Curvature;
-    return Error{ErrorCode::InvalidSetting, "'" + word + "' is no metric; there are quadric and curvature"};
+    if (const Metric* metric = meaningOf(kMetrics, word))
+        return *metric;
+    return Error{ErrorCode::InvalidSetting, "'" + word + "' is no metric; there are " + wordList(kMetrics)};
 }
 
 Result<float> parseWeight(const std::string& text)

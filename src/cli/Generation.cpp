@@ -1,5 +1,6 @@
 #include "Generation.h"
 
+#include "../loddef/LoddefWords.h"
 #include "MeshPlan.h"
 #include "PeakMemory.h"
 
@@ -141,7 +142,7 @@ Json recordOf(const MeshPlan& plan, const LodReport& report, const Timings& timi
     record["radius"] = report.radius;
     record["loddef"] = plan.loddef.empty() ? Json(nullptr) : Json(plan.loddef);
     record["strategy"] = plan.config.strategy;
-    record["metric"] = plan.config.options.metric == Metric::Quadric ? "quadric" : "curvature";
+    record["metric"] = wordFor(kMetrics, plan.config.options.metric);
     record["levels"] = levelRecords(plan, report);
     record["cleaned"] = Json{{"degenerate_triangles", report.cleaned.degenerateTriangles},
                              {"repeated_triangles", report.cleaned.repeatedTriangles},

@@ -137,8 +137,11 @@ Result<LodChain> run(const MeshView& view, const std::vector<LevelTarget>& targe
     buildAttributes(mesh, view, options.metric == Metric::Quadric ? options.weights : AttributeWeights{0, 0, 0, 0});
     if (inputRead)
         inputRead();
-    if (targets.empty())
+    if (targets.empty()) {
+        if (progress)
+            progress->report(1.0f);
         return mesh.summary;
+    }
     mesh.buildFaceLists();
     std::unique_ptr<CollapseCost> cost;
     if (options.metric == Metric::Quadric)

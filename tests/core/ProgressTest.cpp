@@ -28,6 +28,9 @@ TEST(Progress, EndsAtOne)
     Progress progress;
     ASSERT_TRUE(simplify(mesh.view(), {removedShare(0.5), removedShare(0.9)}, {}, &progress).ok());
     EXPECT_EQ(progress.fraction(), 1.0f);
+    Progress ofNoLevels;
+    ASSERT_TRUE(simplify(mesh.view(), {}, {}, &ofNoLevels).ok());
+    EXPECT_EQ(ofNoLevels.fraction(), 1.0f);
 }
 
 TEST(Progress, NeverFallsAndIsSeenFromAnotherThread)

@@ -1,5 +1,7 @@
 #include "LodManagerFixture.h"
 
+#include "../../src/samples/LibraryLods.h"
+
 #include <support/OgreLog.h>
 
 #include <OgreMeshManager.h>
@@ -18,18 +20,12 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-struct Lods {
-    lodsmith::LodDefinitionManager definitions;
-    lodsmith::QueuedProgressiveMeshGenerator queue;
-    lodsmith::LodManager manager{definitions, queue};
-};
-
 TEST(LodManager, ThreeObjectsAreAll)
 {
     OgreSession session;
     Ogre::MeshSerializer().exportMesh(makeOgreMesh("rock", makeUvSphere(40, 30)).get(),
                                       (session.directory() / "rock.mesh").string());
-    Lods lods;
+    samples::LibraryLods lods;
     EXPECT_EQ(session.loadSaved("rock.mesh")->getNumLodLevels(), 1);
     lods.queue.injector().finishAll();
     EXPECT_GT(session.loadSaved("rock.mesh")->getNumLodLevels(), 1);
