@@ -20,7 +20,7 @@ namespace {
 constexpr const char* kServer = "Xvfb";
 
 /// The child's part. The server writes the number of the display that it has found free to `ready`.
-[[noreturn]] void becomeServer(int ready, pid_t parent)
+[[noreturn]] void becomeServer(int ready, pid_t parent, const std::string& screen)
 {
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (::getppid() != parent)
@@ -29,7 +29,7 @@ constexpr const char* kServer = "Xvfb";
     ::dup2(nowhere, STDOUT_FILENO);
     ::dup2(nowhere, STDERR_FILENO);
     const std::string descriptor = std::to_string(ready);
-    ::execlp(kServer, kServer, "-displayfd", descriptor.c_str(), "-screen", "0", "1600x1200x24", "-nolisten", "tcp",
+    ::execlp(kServer, kServer, "-displayfd", descriptor.c_str(), "-screen", "0", screen.c_str(), "-nolisten", "tcp",
              "+extension", "GLX", static_cast<char*>(nullptr));
     ::_exit(1);
 }
@@ -55,7 +55,7 @@ bool VirtualDisplay::isAvailable()
     return false;
 }
 
-VirtualDisplay::VirtualDisplay()
+VirtualDisplay::VirtualDisplay(int width, int height)
 {
     int ready[2];
     if (::pipe(ready) != 0)
@@ -64,7 +64,7 @@ VirtualDisplay::VirtualDisplay()
     mServer = ::fork();
     if (mServer == 0) {
         ::close(ready[0]);
-        becomeServer(ready[1], self);
+        becomeServer(ready[1], self, std::to_string(width) + "x" + std::to_string(height) + "x24");
     }
     ::close(ready[1]);
     const std::string number = lineFrom(ready[0]);

@@ -15,7 +15,8 @@ public:
     static bool isAvailable();
 
     /// Waits until the server is ready. Throws std::runtime_error when it does not start.
-    VirtualDisplay();
+    /// @param width pixels of its screen
+    explicit VirtualDisplay(int width = 1600, int height = 1200);
     ~VirtualDisplay();
     VirtualDisplay(const VirtualDisplay&) = delete;
     VirtualDisplay& operator=(const VirtualDisplay&) = delete;

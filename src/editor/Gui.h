@@ -1,0 +1,56 @@
+#pragma once
+
+#include <lodsmith/core/Result.h>
+
+#include <CEGUI/Logger.h>
+#include <OgreRenderWindow.h>
+#include <SDL.h>
+
+#include <memory>
+#include <string>
+
+struct lua_State;
+namespace CEGUI {
+class LuaScriptModule;
+class OgreRenderer;
+class Window;
+} // namespace CEGUI
+
+namespace lodsmith::editor {
+
+/// CEGUI, drawn into OGRE's window, with a skin, a font and a Lua state of its own. Its messages go to OGRE's log.
+class Gui {
+public:
+    static constexpr const char* kSkin = "WindowsLook";
+
+    /// Throws what CEGUI and OGRE throw.
+    explicit Gui(Ogre::RenderWindow& window);
+    ~Gui();
+    Gui(const Gui&) = delete;
+    Gui& operator=(const Gui&) = delete;
+
+    lua_State* lua() const;
+    CEGUI::Window& root() { return *mRoot; }
+
+    /// Tells CEGUI what mouse or keyboard did. True when that may have changed what is shown. Throws CEGUI::Exception for an
+    /// error in a handler.
+    bool handle(const SDL_Event& event);
+    void resized(int width, int height);
+    /// Lets time pass for tooltips, carets and repeated keys.
+    void advance(double seconds);
+
+private:
+    class Log;
+    class Clipboard;
+
+    void loadSkin();
+    bool handleKey(const SDL_KeyboardEvent& event);
+
+    std::unique_ptr<CEGUI::Logger> mLog;
+    std::unique_ptr<Clipboard> mClipboard;
+    CEGUI::OgreRenderer* mRenderer = nullptr;
+    CEGUI::LuaScriptModule* mScripts = nullptr;
+    CEGUI::Window* mRoot = nullptr;
+};
+
+} // namespace lodsmith::editor

@@ -1,0 +1,80 @@
+#include "Editor.h"
+#include "Engine.h"
+
+#include <CLI/CLI.hpp>
+
+#include <exception>
+#include <iostream>
+
+namespace lodsmith::editor {
+
+namespace {
+
+constexpr int kFailed = 1;
+
+void say(const std::string& message)
+{
+    std::cerr << "lodsmith-editor: " << message << std::endl;
+}
+
+Settings settingsFrom(const std::filesystem::path& file)
+{
+    if (file.empty())
+        return {};
+    auto settings = readSettings(file);
+    if (!settings)
+        say(describe(settings.error()) + "; starting without");
+    return settings ? settings.value() : Settings{};
+}
+
+int edit(const Options& options)
+{
+    const std::filesystem::path file = settingsFile();
+    Settings settings = settingsFrom(file);
+    auto window = Window::open(settings.window);
+    if (!window) {
+        say(describe(window.error()));
+        return kFailed;
+    }
+    Engine engine(options.log);
+    try {
+        engine.start();
+        window.value()->attach(engine.root());
+        const int status = Editor(*window.value(), engine.root(), settings, options).run();
+        settings.window = window.value()->place();
+        if (!file.empty())
+            if (const auto written = writeSettings(file, settings); !written)
+                say(describe(written.error()));
+        window.value().reset();
+        return status;
+    } catch (const std::exception& exception) {
+        say(exception.what());
+        window.value().reset();
+        return kFailed;
+    }
+}
+
+int run(int argc, char** argv)
+{
+    Options options;
+    CLI::App app{"Shows the levels of detail of OGRE meshes, and edits the .loddef files beside them"};
+    app.add_option("paths", options.paths, "Meshes to open, or directories of meshes");
+    app.add_option("--script", options.script, "Lua to run once the window is open")->type_name("FILE.lua");
+    app.add_option("--log", options.log, "File for all messages")->type_name("FILE");
+    CLI11_PARSE(app, argc, argv);
+    return edit(options);
+}
+
+} // namespace
+
+} // namespace lodsmith::editor
+
+int main(int argc, char** argv)
+{
+    try {
+        return lodsmith::editor::run(argc, argv);
+    } catch (const std::exception& exception) {
+        lodsmith::editor::say(exception.what());
+        return lodsmith::editor::kFailed;
+    }
+}
