@@ -2,6 +2,7 @@
 # Installs what is missing, builds Lodsmith and runs it.
 #   scripts/run.sh              makes LODs for a model of media/ and says what to try next
 #   scripts/run.sh sample ...   runs the sample client, a window in which levels change (docs/runtime.md)
+#   scripts/run.sh editor ...   opens meshes, or directories of them, in the editor (docs/editor.md)
 #   scripts/run.sh ARGUMENT...  runs `lodsmith ARGUMENT...`
 set -euo pipefail
 # shellcheck source=scripts/common.sh
@@ -22,6 +23,10 @@ sample)
     build release lodsmith_sample
     exec "$root/build/release/bin/lodsmith_sample" "${@:2}"
     ;;
+editor)
+    build release lodsmith_editor
+    exec "$root/build/release/bin/lodsmith-editor" "${@:2}"
+    ;;
 *) exec "$lodsmith" "$@" ;;
 esac
 
@@ -36,6 +41,7 @@ To try next, in $root:
     ./scripts/run.sh measure build/demo/$demo_model.mesh
     ./scripts/run.sh generate media/ -o build/demo/all/ --force
     ./scripts/run.sh import YOUR-MODEL.obj -o build/demo/yours.mesh
+    ./scripts/run.sh editor build/demo/$demo_model.mesh
     ./scripts/run.sh sample
     ./scripts/run.sh generate --help
 EOF
