@@ -1,6 +1,13 @@
 #include "Editor.h"
 
+#include "EditorHandle.h"
+
 #include <OgreLogManager.h>
+
+#include <exception>
+#include <iostream>
+
+namespace fs = std::filesystem;
 
 namespace lodsmith::editor {
 
@@ -8,54 +15,173 @@ namespace {
 
 // While nothing happens, frames are drawn for tooltips and carets only.
 constexpr int kIdleMilliseconds = 100;
-constexpr int kBusyMilliseconds = 5;
+constexpr int kBusyMilliseconds = 2;
+
+constexpr int kScriptFailed = 1;
+
+double secondsBetween(std::chrono::steady_clock::time_point start, std::chrono::steady_clock::time_point end)
+{
+    return std::chrono::duration<double>(end - start).count();
+}
+
+LodPolicy editorPolicy()
+{
+    LodPolicy policy;
+    // The panel says what a mesh gets, small ones too; hand-made levels reach the entity of the preview.
+    policy.minTriangles = 0;
+    policy.replaceLevels = true;
+    policy.reinitialiseEntities = true;
+    return policy;
+}
+
+/// The first free name of "lodsmith-1.png", "lodsmith-2.png"... in the working directory.
+fs::path screenshotFile()
+{
+    std::error_code ignored;
+    for (int number = 1;; ++number)
+        if (fs::path file = "lodsmith-" + std::to_string(number) + ".png"; !fs::exists(file, ignored))
+            return fs::absolute(file, ignored);
+}
 
 } // namespace
 
-Editor::Editor(Window& window, Ogre::Root& root, Settings& settings, const Options& options)
-    : mWindow(window), mRoot(root), mSettings(settings), mManager(mDefinitions, mQueue), mGui(window.target())
+Editor::Editor(Ogre::Root& root, Window& window, Settings& settings)
+    : mRoot(root), mWindow(window), mSettings(settings),
+      mControl(std::make_shared<Control>(Control{window, settings, {}, false, 0})),
+      mManager(mDefinitions, mQueue, editorPolicy()), mGui(window.target())
 {
-    (void)options;
+}
+
+Result<Done> Editor::open(const Options& options)
+{
+    if (auto opened = openPanel(); !opened)
+        return opened;
+    for (const fs::path& path : options.paths)
+        runInPanel("lodsmith.panel:open(...)", path.string());
+    if (options.script.empty())
+        return Done{};
+    auto script = Script::load(mGui.lua(), options.script);
+    if (!script)
+        return script.error();
+    mScript = std::move(script).value();
+    return Done{};
+}
+
+Result<Done> Editor::openPanel()
+{
+    PanelHost host{mGui.lua(), &mGui.root(), mDefinitions, mManager, mQueue, Gui::kSkin};
+    host.fillsParent = true;
+    host.canOpen = true;
+    host.recentFiles = [this] { return mSettings.recentFiles; };
+    host.opened = [this](const std::string& file) { mSettings.addRecentFile(file); };
+    auto panel = AssetsManagerPanel::open(host);
+    if (!panel)
+        return panel.error();
+    mPanel = std::move(panel).value();
+    return shareEditor(mGui.lua(), mControl);
 }
 
 int Editor::run()
 {
-    while (!mIsEnding) {
+    while (!mControl->isEnding) {
         handleEvents();
+        resumeScript();
         drawFrame();
     }
-    return 0;
+    return mControl->status;
 }
 
 void Editor::handleEvents()
 {
     SDL_Event event;
-    if (!SDL_WaitEventTimeout(&event, mQueue.queued() > 0 ? kBusyMilliseconds : kIdleMilliseconds))
+    if (!SDL_WaitEventTimeout(&event, isBusy() ? kBusyMilliseconds : kIdleMilliseconds))
         return;
     do
         handle(event);
     while (SDL_PollEvent(&event));
 }
 
+bool Editor::isBusy() const
+{
+    return mScript || mQueue.queued() > 0 || mPanel->isBusy();
+}
+
 void Editor::handle(const SDL_Event& event)
 {
-    if (event.type == SDL_QUIT) {
-        mIsEnding = true;
+    if (event.type == SDL_QUIT)
+        return runInPanel("lodsmith.panel:askToLeave(function() lodsmith.editor:quit() end)");
+    if (event.type == SDL_DROPFILE) {
+        runInPanel("lodsmith.panel:open(...)", event.drop.file);
+        SDL_free(event.drop.file);
         return;
     }
     if (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_SIZE_CHANGED) {
         mWindow.resized();
         mGui.resized(event.window.data1, event.window.data2);
     }
-    mGui.handle(event);
+    if (event.type == SDL_KEYDOWN && event.key.keysym.sym == SDLK_F12)
+        return takeScreenshot();
+    try {
+        mGui.handle(event);
+    } catch (const std::exception& exception) { // CEGUI passes errors of handlers on
+        tell(exception.what());
+    }
+}
+
+void Editor::takeScreenshot()
+{
+    const fs::path file = screenshotFile();
+    const auto taken = mWindow.screenshot(file);
+    if (taken)
+        runInPanel("lodsmith.panel.state:say('info', 'Screenshot: ' .. ...)", file.string());
+    else
+        tell(describe(taken.error()));
+}
+
+void Editor::resumeScript()
+{
+    if (!mScript)
+        return;
+    const auto more = mScript->resume();
+    if (more && more.value())
+        return;
+    mScript.reset();
+    if (!more) {
+        std::cerr << describe(more.error()) << std::endl;
+        mControl->isEnding = true;
+        mControl->status = kScriptFailed;
+    }
 }
 
 void Editor::drawFrame()
 {
-    const auto now = Clock::now();
-    mGui.advance(std::chrono::duration<double>(now - mLastFrame).count());
-    mLastFrame = now;
-    mRoot.renderOneFrame();
+    const auto start = Clock::now();
+    const double seconds = secondsBetween(mLastFrame, start);
+    mLastFrame = start;
+    try {
+        mGui.advance(seconds);
+    } catch (const std::exception& exception) {
+        tell(exception.what());
+    }
+    mPanel->update(float(seconds));
+    mRoot._fireFrameStarted();
+    const auto worked = Clock::now();
+    mRoot._updateAllRenderTargets();
+    mRoot._fireFrameEnded();
+    mControl->lastFrame = {secondsBetween(start, worked), secondsBetween(worked, Clock::now())};
+}
+
+void Editor::runInPanel(const char* code, const std::string& argument)
+{
+    if (const auto done = runLua(mGui.lua(), code, argument); !done)
+        tell(describe(done.error()));
+}
+
+void Editor::tell(const std::string& message)
+{
+    Ogre::LogManager::getSingleton().logError(message);
+    if (!runLua(mGui.lua(), "lodsmith.panel.state:say('error', ...)", message))
+        std::cerr << message << std::endl;
 }
 
 } // namespace lodsmith::editor

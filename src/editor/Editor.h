@@ -1,44 +1,60 @@
 #pragma once
 
+#include "Control.h"
 #include "Gui.h"
 #include "Options.h"
-#include "Settings.h"
-#include "Window.h"
+#include "Script.h"
 
 #include <lodsmith/ogre/LodDefinitionManager.h>
 #include <lodsmith/ogre/LodManager.h>
 #include <lodsmith/ogre/QueuedProgressiveMeshGenerator.h>
+#include <lodsmith/panel/AssetsManagerPanel.h>
+
+#include <OgreRoot.h>
 
 #include <chrono>
-#include <filesystem>
+#include <memory>
 
 namespace lodsmith::editor {
 
-/// The program: window, panel and what they work on, from the first frame to the last.
+/// The program between its first frame and its last: the panel in the window, what it works on, and the script.
 class Editor {
 public:
-    Editor(Window& window, Ogre::Root& root, Settings& settings, const Options& options);
+    /// Throws what OGRE and CEGUI throw. The three live longer than the editor.
+    Editor(Ogre::Root& root, Window& window, Settings& settings);
 
-    /// Draws frames until the user, or the script, ends it. Returns the program's exit status.
+    /// Opens the panel, the files and the script. Errors: those of AssetsManagerPanel::open() and Script::load(). Files that
+    /// cannot be opened are told in the panel.
+    Result<Done> open(const Options& options);
+    /// Draws frames until the user, or the script, ends it. The program's exit status.
     int run();
 
 private:
     using Clock = std::chrono::steady_clock;
 
+    Result<Done> openPanel();
+    /// Runs Lua with a string as its argument. What goes wrong is shown in the panel.
+    void runInPanel(const char* code, const std::string& argument = {});
     /// Sleeps while nothing happens, then passes on what the user did.
     void handleEvents();
     void handle(const SDL_Event& event);
+    void takeScreenshot();
+    void resumeScript();
     void drawFrame();
+    bool isBusy() const;
+    void tell(const std::string& message);
 
-    Window& mWindow;
     Ogre::Root& mRoot;
+    Window& mWindow;
     Settings& mSettings;
+    std::shared_ptr<Control> mControl;
     LodDefinitionManager mDefinitions;
     QueuedProgressiveMeshGenerator mQueue;
     LodManager mManager;
     Gui mGui;
+    std::unique_ptr<AssetsManagerPanel> mPanel;
+    std::unique_ptr<Script> mScript;
     Clock::time_point mLastFrame = Clock::now();
-    bool mIsEnding = false;
 };
 
 } // namespace lodsmith::editor

@@ -15,6 +15,21 @@ std::string messageOn(lua_State* lua)
 
 } // namespace
 
+Result<Done> runLua(lua_State* lua, const char* code, const std::string& argument)
+{
+    const int before = lua_gettop(lua);
+    int failed = luaL_loadstring(lua, code);
+    if (failed == 0) {
+        lua_pushlstring(lua, argument.data(), argument.size());
+        failed = lua_pcall(lua, 1, 0, 0);
+    }
+    if (failed == 0)
+        return Done{};
+    Error error{ErrorCode::BadFile, messageOn(lua)};
+    lua_settop(lua, before);
+    return error;
+}
+
 Script::Script(lua_State* lua, lua_State* thread, int reference) : mLua(lua), mThread(thread), mReference(reference) {}
 
 Script::~Script()

@@ -10,6 +10,9 @@ struct lua_State;
 
 namespace lodsmith::editor {
 
+/// Runs a piece of Lua, in which `...` is the argument. Errors: BadFile, with Lua's message.
+Result<Done> runLua(lua_State* lua, const char* code, const std::string& argument);
+
 /// A Lua file that runs beside the panel, as a coroutine: coroutine.yield() lets a frame pass.
 class Script {
 public:

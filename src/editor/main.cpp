@@ -27,6 +27,17 @@ Settings settingsFrom(const std::filesystem::path& file)
     return settings ? settings.value() : Settings{};
 }
 
+/// The exit status.
+int runEditor(Ogre::Root& root, Window& window, Settings& settings, const Options& options)
+{
+    Editor editor(root, window, settings);
+    if (const auto opened = editor.open(options); !opened) {
+        say(describe(opened.error()));
+        return kFailed;
+    }
+    return editor.run();
+}
+
 int edit(const Options& options)
 {
     const std::filesystem::path file = settingsFile();
@@ -40,7 +51,7 @@ int edit(const Options& options)
     try {
         engine.start();
         window.value()->attach(engine.root());
-        const int status = Editor(*window.value(), engine.root(), settings, options).run();
+        const int status = runEditor(engine.root(), *window.value(), settings, options);
         settings.window = window.value()->place();
         if (!file.empty())
             if (const auto written = writeSettings(file, settings); !written)
