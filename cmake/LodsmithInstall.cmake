@@ -44,7 +44,8 @@ lodsmith_install_library(lodsmith_cache cache
     PC lodsmith-cache REQUIRES lodsmith-core)
 if(LODSMITH_OGRE)
     lodsmith_install_library(lodsmith ogre
-        PC lodsmith REQUIRES "lodsmith-core lodsmith-loddef lodsmith-cache OGRE sigc++-2.0" LIBS_PRIVATE "-lmeshoptimizer -pthread")
+        PC lodsmith REQUIRES "lodsmith-core lodsmith-analysis lodsmith-loddef lodsmith-cache OGRE sigc++-2.0"
+        LIBS_PRIVATE "-lmeshoptimizer -pthread")
     # With the prefix of OGRE's package, where OGRE's own plugins are.
     get_filename_component(LODSMITH_PLUGIN_FOLDER "${OGRE_PLUGIN_DIR}" NAME)
     install(TARGETS Plugin_Lodsmith

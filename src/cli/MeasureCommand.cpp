@@ -1,12 +1,12 @@
 #include "CommandOptions.h"
 #include "Commands.h"
-#include "LodLevelView.h"
 #include "Numbers.h"
 #include "OgreSession.h"
 #include "Table.h"
 
 #include <lodsmith/analysis/Deviation.h>
 #include <lodsmith/analysis/MeshStatistics.h>
+#include <lodsmith/ogre/LevelReader.h>
 #include <lodsmith/ogre/MeshReader.h>
 
 #include <cstdio>
@@ -70,39 +70,24 @@ Result<Json> measureLevel(const MeshView& original, const MeshView& simplified, 
     return levelRecord(level, value, statistics.value(), deviation.value());
 }
 
-/// A level as OGRE holds it: generated ones share the mesh's vertices, hand-made ones are meshes of their own.
-Result<Json> measureStoredLevel(const MeshView& original, const Ogre::Mesh& mesh, const MeshData& data,
-                                Ogre::ushort level, const DeviationOptions& options)
-{
-    const Ogre::MeshLodUsage& usage = mesh.getLodLevel(level);
-    if (usage.manualName.empty()) {
-        const Result<LodLevelView> view = readLodLevel(mesh, data, level);
-        return view ? measureLevel(original, view.value().view, level, usage.userValue, options)
-                    : Result<Json>(view.error());
-    }
-    if (!usage.manualMesh)
-        return Error{ErrorCode::NotFound,
-                     "level " + std::to_string(level) + ": the mesh '" + usage.manualName + "' is not there"};
-    const Result<MeshData> manual = MeshReader::read(*usage.manualMesh);
-    return manual ? measureLevel(original, manual.value().view(), level, usage.userValue, options)
-                  : Result<Json>(manual.error());
-}
-
 Result<Json> measureMesh(const Ogre::Mesh& mesh, const MeshView* original, const DeviationOptions& options,
                          Progress& progress)
 {
-    const Result<MeshData> data = MeshReader::read(mesh);
-    if (!data)
-        return data.error();
-    const MeshView& reference = original ? *original : data.value().view();
+    const Result<std::shared_ptr<const MeshData>> levelZero = LevelReader::readLevelZero(mesh);
+    if (!levelZero)
+        return levelZero.error();
+    const MeshView& reference = original ? *original : levelZero.value()->view();
     const Result<MeshStatistics> statistics = meshStatistics(reference);
     if (!statistics)
         return statistics.error();
     Json record{{"radius", statistics.value().radius}, {"levels", Json::array()}};
     const unsigned levels = mesh.getNumLodLevels();
-    for (Ogre::ushort level = 0; level < levels; ++level) {
-        const Result<Json> measured = level == 0 ? measureLevel(reference, data.value().view(), 0, nullptr, options)
-                                                 : measureStoredLevel(reference, mesh, data.value(), level, options);
+    for (unsigned level = 0; level < levels; ++level) {
+        const Result<LevelData> data = LevelReader::read(mesh, levelZero.value(), level);
+        if (!data)
+            return data.error();
+        const Json value = level == 0 ? Json() : Json(mesh.getLodLevel(static_cast<Ogre::ushort>(level)).userValue);
+        const Result<Json> measured = measureLevel(reference, data.value().view(), level, value, options);
         if (!measured)
             return measured.error();
         record["levels"].push_back(measured.value());

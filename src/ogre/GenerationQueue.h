@@ -1,5 +1,6 @@
 #pragma once
 
+#include "MeshState.h"
 #include "PMWorker.h"
 #include "QueueParts.h"
 
@@ -53,15 +54,6 @@ public:
 
 private:
     enum class Stage { ToCopy, Copying, Computing, Ready };
-
-    /// What shows that a mesh was unloaded, loaded again or changed.
-    struct MeshState {
-        explicit MeshState(const Ogre::Mesh& mesh) : loaded(mesh.isLoaded()), changes(mesh.getStateCount()) {}
-        bool operator==(const MeshState& other) const { return loaded == other.loaded && changes == other.changes; }
-
-        bool loaded;
-        std::size_t changes;
-    };
 
     struct Request {
         std::weak_ptr<Ogre::Mesh> mesh;

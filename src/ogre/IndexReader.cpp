@@ -51,10 +51,9 @@ Index highest(const Index* from, std::size_t count)
 }
 
 template <class Index>
-Result<TriangleList> readIndices(const Index* from, const Ogre::SubMesh& subMesh, std::uint32_t vertexCount,
-                                 Blocks& blocks)
+Result<TriangleList> readIndices(const Index* from, std::size_t count, Ogre::RenderOperation::OperationType type,
+                                 std::uint32_t vertexCount, Blocks& blocks)
 {
-    const std::size_t count = subMesh.indexData->indexCount;
     if (highest(from, count) >= vertexCount) {
         const Index* bad = std::find_if(from, from + count, [&](Index index) { return index >= vertexCount; });
         return Error{ErrorCode::IndexOutOfRange,
@@ -64,9 +63,9 @@ Result<TriangleList> readIndices(const Index* from, const Ogre::SubMesh& subMesh
                      -1,
                      bad - from};
     }
-    if (subMesh.operationType == Ogre::RenderOperation::OT_TRIANGLE_LIST)
+    if (type == Ogre::RenderOperation::OT_TRIANGLE_LIST)
         return copyList(from, count, blocks);
-    return expand(from, count, subMesh.operationType == Ogre::RenderOperation::OT_TRIANGLE_FAN, blocks);
+    return expand(from, count, type == Ogre::RenderOperation::OT_TRIANGLE_FAN, blocks);
 }
 
 } // namespace
@@ -87,9 +86,9 @@ std::string reasonToLeaveAlone(const Ogre::SubMesh& subMesh)
     return {};
 }
 
-Result<TriangleList> readTriangles(const Ogre::SubMesh& subMesh, std::uint32_t vertexCount, Blocks& blocks)
+Result<TriangleList> readTriangles(const Ogre::IndexData& data, Ogre::RenderOperation::OperationType type,
+                                   std::uint32_t vertexCount, Blocks& blocks)
 {
-    const Ogre::IndexData& data = *subMesh.indexData;
     if (!data.indexBuffer)
         return Error{ErrorCode::InvalidGeometry, "the submesh has an index count but no index buffer"};
     const std::size_t size = data.indexBuffer->getNumIndexes();
@@ -102,9 +101,10 @@ Result<TriangleList> readTriangles(const Ogre::SubMesh& subMesh, std::uint32_t v
 
     const Ogre::HardwareBufferLockGuard lock(data.indexBuffer, Ogre::HardwareBuffer::HBL_READ_ONLY);
     if (data.indexBuffer->getType() == Ogre::HardwareIndexBuffer::IT_16BIT)
-        return readIndices(static_cast<const std::uint16_t*>(lock.pData) + data.indexStart, subMesh, vertexCount,
-                           blocks);
-    return readIndices(static_cast<const std::uint32_t*>(lock.pData) + data.indexStart, subMesh, vertexCount, blocks);
+        return readIndices(static_cast<const std::uint16_t*>(lock.pData) + data.indexStart, data.indexCount, type,
+                           vertexCount, blocks);
+    return readIndices(static_cast<const std::uint32_t*>(lock.pData) + data.indexStart, data.indexCount, type,
+                       vertexCount, blocks);
 }
 
 } // namespace lodsmith

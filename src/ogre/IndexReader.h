@@ -21,9 +21,10 @@ struct TriangleList {
 /// Why a submesh cannot be simplified ("a line list"); empty when it is made of indexed triangles.
 std::string reasonToLeaveAlone(const Ogre::SubMesh& subMesh);
 
-/// Copies level 0 of a submesh of indexed triangles; strips and fans become lists with the same winding, without the
-/// triangles that name a vertex twice (strips are stitched with them).
+/// Copies indexed triangles; strips and fans become lists with the same winding, without the triangles that name a vertex
+/// twice (strips are stitched with them).
 /// Errors (without file and submesh): IndexOutOfRange, InvalidGeometry.
-Result<TriangleList> readTriangles(const Ogre::SubMesh& subMesh, std::uint32_t vertexCount, Blocks& blocks);
+Result<TriangleList> readTriangles(const Ogre::IndexData& data, Ogre::RenderOperation::OperationType type,
+                                   std::uint32_t vertexCount, Blocks& blocks);
 
 } // namespace lodsmith

@@ -45,8 +45,8 @@ public:
         const Result<std::uint32_t> buffer = vertexBufferOf(number);
         if (!buffer)
             return buffer.error();
-        const Result<TriangleList> list =
-            readTriangles(subMesh, mView.vertexBuffers[buffer.value()].vertexCount, mBlocks);
+        const Result<TriangleList> list = readTriangles(*subMesh.indexData, subMesh.operationType,
+                                                        mView.vertexBuffers[buffer.value()].vertexCount, mBlocks);
         if (!list)
             return list.error();
         noteConversion(number);

@@ -178,8 +178,8 @@ private:
         const MeshView& read = mData.view();
         Blocks blocks;
         const Result<TriangleList> list = readTriangles(
-            subMesh, read.vertexBuffers[read.subMeshes[static_cast<std::size_t>(view)].vertexBuffer].vertexCount,
-            blocks);
+            *subMesh.indexData, subMesh.operationType,
+            read.vertexBuffers[read.subMeshes[static_cast<std::size_t>(view)].vertexBuffer].vertexCount, blocks);
         if (!list)
             return list.error();
         const SubMeshView triangles{0, list.value().indices, list.value().count, list.value().indexBytes};

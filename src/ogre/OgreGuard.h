@@ -4,7 +4,9 @@
 
 #include <OgreException.h>
 
+#include <exception>
 #include <new>
+#include <string>
 
 namespace lodsmith {
 
@@ -25,6 +27,8 @@ auto guarded(const Ogre::String& name, Work work) -> decltype(work())
         return Error{ErrorCode::Unsupported, "OGRE refused: " + exception.getDescription(), name};
     } catch (const std::bad_alloc&) {
         return Error{ErrorCode::OutOfMemory, "out of memory", name};
+    } catch (const std::exception& exception) { // std::bad_cast over a hand-made level's file that is no mesh
+        return Error{ErrorCode::Unsupported, std::string("OGRE failed: ") + exception.what(), name};
     }
 }
 

@@ -236,6 +236,16 @@ LodConfig proportional(const Ogre::MeshPtr& mesh, const std::vector<double>& rem
     return config;
 }
 
+void setHandMadeLevel(Ogre::Mesh& mesh, const std::string& name)
+{
+    Ogre::MeshLodUsage usage;
+    usage.userValue = 10;
+    usage.value = mesh.getLodStrategy()->transformUserValue(usage.userValue);
+    usage.manualName = name;
+    mesh._setLodInfo(2);
+    mesh._setLodUsage(1, usage);
+}
+
 std::vector<std::string> brokenLevels(const Ogre::Mesh& mesh)
 {
     std::vector<std::string> broken;
