@@ -72,8 +72,7 @@ EditorSession::EditorSession(const std::vector<std::string>& arguments, ScreenPo
 {
     start(arguments);
     ask("true");
-    // Without a window manager nobody gives the window the keyboard.
-    run("xdotool search --sync --onlyvisible --name Lodsmith windowfocus --sync > /dev/null");
+    findWindow();
 }
 
 EditorSession::~EditorSession()
@@ -82,6 +81,20 @@ EditorSession::~EditorSession()
         ::kill(mEditor, SIGKILL);
         ::waitpid(mEditor, nullptr, 0);
     }
+}
+
+/// Without a window manager nobody gives it the keyboard.
+void EditorSession::findWindow()
+{
+    const fs::path geometry = mDirectory / "geometry";
+    run("xdotool search --sync --onlyvisible --name Lodsmith windowfocus --sync getwindowgeometry --shell > "
+        + quoted(geometry.string()));
+    std::ifstream lines(geometry);
+    for (std::string line; std::getline(lines, line);)
+        if (line.rfind("X=", 0) == 0)
+            mWindow.x = std::stoi(line.substr(2));
+        else if (line.rfind("Y=", 0) == 0)
+            mWindow.y = std::stoi(line.substr(2));
 }
 
 void EditorSession::start(const std::vector<std::string>& arguments)
@@ -130,7 +143,7 @@ ScreenPoint EditorSession::at(const std::string& window, double right, double do
     int left = 0, top = 0, rightEdge = 0, bottom = 0;
     if (!(numbers >> left >> top >> rightEdge >> bottom))
         throw std::runtime_error("no window \"" + window + "\" is shown (" + area + ")");
-    return {int(left + right * (rightEdge - left)), int(top + down * (bottom - top))};
+    return {mWindow.x + int(left + right * (rightEdge - left)), mWindow.y + int(top + down * (bottom - top))};
 }
 
 void EditorSession::move(ScreenPoint to)
@@ -162,7 +175,7 @@ void EditorSession::key(const std::string& keys)
 
 void EditorSession::type(const std::string& text)
 {
-    run("xdotool type --delay 5 " + quoted(text));
+    run("xdotool type --delay 5 -- " + quoted(text));
 }
 
 void EditorSession::screenshot(const fs::path& file)

@@ -49,6 +49,9 @@ public:
     void key(const std::string& keys);
     void type(const std::string& text);
 
+    /// Several of xdotool's commands in a row.
+    void perform(const std::string& commands) { run("xdotool" + commands); }
+
     /// Keeps what is on the screen.
     void screenshot(const std::filesystem::path& file);
 
@@ -63,11 +66,13 @@ public:
 private:
     void start(const std::vector<std::string>& arguments);
     void run(const std::string& command) const;
+    void findWindow();
 
     VirtualDisplay mDisplay;
     TestDirectory mDirectory;
     pid_t mEditor = -1;
     int mStatus = -1;
+    ScreenPoint mWindow; ///< its left upper corner
     int mQuestions = 0;
 };
 

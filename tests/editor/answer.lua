@@ -33,7 +33,7 @@ function screenAreaOf(name)
         return "none"
     end
     local area = window:getUnclippedOuterRect():get()
-    return string.format("%d %d %d %d", area.left, area.top, area.right, area.bottom)
+    return string.format("%d %d %d %d", area:left(), area:top(), area:right(), area:bottom())
 end
 
 while true do
