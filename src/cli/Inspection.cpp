@@ -1,9 +1,9 @@
 #include "Inspection.h"
 
 #include "../files/AtomicFile.h"
+#include "../ogre/MeshHeader.h"
 #include "../ogre/TrianglesIn.h"
 #include "MeshFile.h"
-#include "MeshHeader.h"
 #include "OgreSession.h"
 
 #include <lodsmith/analysis/MeshStatistics.h>

@@ -1,55 +1,8 @@
 #include "MeshStreams.h"
 
-#include <OgreException.h>
-#include <OgreString.h>
-
-#include <algorithm>
 #include <cstring>
 
 namespace lodsmith::cli {
-
-namespace {
-
-constexpr size_t kChunkHeaderBytes = 6;
-
-} // namespace
-
-CheckedStream::CheckedStream(const Ogre::String& name, const std::string& bytes)
-    : MemoryDataStream(name, bytes.size(), true)
-{
-    std::memcpy(getPtr(), bytes.data(), bytes.size());
-}
-
-size_t CheckedStream::read(void* buffer, size_t count)
-{
-    const size_t left = static_cast<size_t>(mEnd - mPos);
-    if (count <= left)
-        return MemoryDataStream::read(buffer, count);
-    if (left > 0 || count > kChunkHeaderBytes)
-        OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS,
-                    "the file is cut off or damaged: " + std::to_string(count) + " bytes are wanted at byte "
-                        + std::to_string(tell()) + ", and " + std::to_string(left) + " are left",
-                    "CheckedStream::read");
-    std::memset(buffer, 0, count);
-    return 0;
-}
-
-Ogre::String CheckedStream::getLine(bool trimAfter)
-{
-    const Ogre::uchar* begin = mPos;
-    const Ogre::uchar* end = std::find(mPos, mEnd, Ogre::uchar('\n'));
-    if (end == mEnd)
-        OGRE_EXCEPT(Ogre::Exception::ERR_INVALIDPARAMS,
-                    "the file is cut off or damaged: the text at byte " + std::to_string(tell()) + " does not end",
-                    "CheckedStream::getLine");
-    Ogre::String line(begin, end);
-    mPos += line.size() + 1;
-    if (!line.empty() && line.back() == '\r')
-        line.pop_back();
-    if (trimAfter)
-        Ogre::StringUtil::trim(line);
-    return line;
-}
 
 size_t CollectingStream::write(const void* buffer, size_t count)
 {

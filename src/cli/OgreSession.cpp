@@ -1,8 +1,8 @@
 #include "OgreSession.h"
 
 #include "../files/AtomicFile.h"
-#include "MeshHeader.h"
-#include "MeshStreams.h"
+#include "../ogre/CheckedStream.h"
+#include "../ogre/MeshHeader.h"
 
 #include <OgreDefaultHardwareBufferManager.h>
 #include <OgreLogManager.h>

@@ -1,11 +1,14 @@
 #include <lodsmith/ogre/LodDefinitionManager.h>
 
 #include "../files/InsidePath.h"
+#include "FileLocations.h"
 #include "MainThread.h"
+#include "OgreGuard.h"
 
 #include <lodsmith/core/Assert.h>
 #include <lodsmith/loddef/LoddefFileName.h>
 #include <lodsmith/loddef/LoddefXml.h>
+#include <lodsmith/ogre/MeshFiles.h>
 
 #include <OgreException.h>
 #include <OgreLogManager.h>
@@ -29,6 +32,18 @@ bool isDeclared(const Ogre::String& name, const Ogre::String& group)
     return std::any_of(declared.begin(), declared.end(), [&](const auto& declaration) {
         return declaration.resourceName == name && declaration.resourceType == kResourceType;
     });
+}
+
+/// The directory that has the definition of a mesh, failing that the one that has the mesh.
+Result<Ogre::String> directoryFor(const Ogre::Mesh& mesh, const Ogre::String& name)
+{
+    if (name.empty())
+        return Error{ErrorCode::InvalidSetting, "the mesh has no name that a file could be named for", mesh.getName()};
+    if (const Ogre::Archive* directory = directoryWith(name, mesh.getGroup()))
+        return directory->getName();
+    if (const Result<std::filesystem::path> path = meshPath(mesh); !path)
+        return path.error();
+    return directoryWith(mesh.getName(), mesh.getGroup())->getName();
 }
 
 /// OGRE keeps a resource when its group is listed anew and its file is not there any more.
@@ -96,6 +111,37 @@ Result<std::filesystem::path> LodDefinitionManager::exportScript(const Ogre::Str
     if (!written)
         return written.error();
     return path;
+}
+
+Result<std::filesystem::path> LodDefinitionManager::pathFor(const Ogre::Mesh& mesh)
+{
+    assertMainThread();
+    const Ogre::String name = loddefFileName(mesh.getName());
+    const Result<Ogre::String> directory = directoryFor(mesh, name);
+    if (!directory)
+        return directory.error();
+    return std::filesystem::path(directory.value()) / name;
+}
+
+Result<std::filesystem::path> LodDefinitionManager::save(const Ogre::Mesh& mesh, const LodDefinition& definition)
+{
+    assertMainThread();
+    const Ogre::String name = loddefFileName(mesh.getName());
+    const Result<Ogre::String> directory = directoryFor(mesh, name);
+    if (!directory)
+        return directory.error();
+    Result<std::filesystem::path> path = exportScript(mesh.getName(), definition, directory.value());
+    if (!path)
+        return path;
+    return guarded(name, [&] {
+        if (!Ogre::ResourceGroupManager::getSingleton().resourceExists(mesh.getGroup(), name))
+            listAgain(directory.value(), mesh.getGroup());
+        // What was loaded is of an earlier file. Reading is left to whoever wants the definition.
+        const Ogre::ResourcePtr resource = getResourceByName(name, mesh.getGroup());
+        if (resource && resource->getGroup() == mesh.getGroup())
+            resource->unload();
+        return path;
+    });
 }
 
 void LodDefinitionManager::parseScript(Ogre::DataStreamPtr& stream, const Ogre::String& groupName)

@@ -119,6 +119,16 @@ Result<LodDecision> LodManager::apply(const Ogre::MeshPtr& mesh)
     return decide(mesh, Occasion::Later);
 }
 
+Result<LodDecision> LodManager::apply(const Ogre::MeshPtr& mesh, const LodDefinition& definition)
+{
+    assertMainThread();
+    LODSMITH_ASSERT(mesh && mesh->isLoaded(), "apply() needs a loaded mesh");
+    const Flag applying(mIsApplying);
+    if (isHandMadeLevel(mesh))
+        return LodDecision::LeftAlone;
+    return decideByDefinition(mesh, definition, Occasion::Later);
+}
+
 void LodManager::applyToAll()
 {
     assertMainThread();

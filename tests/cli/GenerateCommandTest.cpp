@@ -1,5 +1,5 @@
+#include "../../src/ogre/MeshHeader.h"
 #include "CommandLine.h"
-#include "MeshHeader.h"
 #include "OgreSession.h"
 #include "SampleFiles.h"
 

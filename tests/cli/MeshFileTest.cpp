@@ -1,6 +1,6 @@
 #include "MeshFile.h"
 
-#include "MeshHeader.h"
+#include "../../src/ogre/MeshHeader.h"
 #include "OgreSession.h"
 #include "SampleFiles.h"
 

@@ -356,5 +356,66 @@ TEST_F(LodDefinitionManagerTest, ComesAndGoes)
     EXPECT_EQ(onlyLevel(definitionFor("tree.mesh", "a")), 20.0f);
 }
 
+TEST_F(LodDefinitionManagerTest, WhatIsSavedForAMeshIsFoundByItsGroup)
+{
+    const Ogre::MeshPtr mesh = mSession.saveAndReload(makeOgreMesh("ball", makeIcosphere(1)));
+    EXPECT_FALSE(mManager->definitionFor(*mesh));
+    const fs::path place = mSession.directory() / "saved0.loddef";
+    EXPECT_EQ(LodDefinitionManager::pathFor(*mesh).value(), place);
+    EXPECT_FALSE(fs::exists(place));
+
+    LodDefinition definition;
+    definition.automatic = false;
+    definition.levels.resize(1);
+    for (const float value : {10.0f, 20.0f}) {
+        definition.levels[0].value = value;
+        EXPECT_EQ(mManager->save(*mesh, definition).value(), place);
+        EXPECT_EQ(onlyLevel(mManager->definitionFor(*mesh)), value) << "also when an earlier one was loaded";
+    }
+    EXPECT_EQ(LodDefinitionManager::pathFor(*mesh).value(), place);
+}
+
+TEST_F(LodDefinitionManagerTest, ADefinitionIsSavedWhereItIs)
+{
+    const Ogre::MeshPtr mesh = mSession.saveAndReload(makeOgreMesh("ball", makeIcosphere(1)));
+    fs::create_directories(mSession.directory() / "definitions");
+    std::ofstream(mSession.directory() / "definitions" / "saved0.loddef") << levelAt("5");
+    mGroups.addResourceLocation((mSession.directory() / "definitions").string(), "FileSystem", mSession.group());
+    EXPECT_EQ(onlyLevel(mManager->definitionFor(*mesh)), 5.0f);
+    LodDefinition definition;
+    definition.automatic = false;
+    definition.levels.resize(1);
+    definition.levels[0].value = 6.0f;
+    EXPECT_EQ(mManager->save(*mesh, definition).value(), mSession.directory() / "definitions" / "saved0.loddef");
+    EXPECT_EQ(onlyLevel(mManager->definitionFor(*mesh)), 6.0f);
+    EXPECT_FALSE(fs::exists(mSession.directory() / "saved0.loddef"));
+}
+
+TEST_F(LodDefinitionManagerTest, GroupsThatShareADirectoryGoOnAfterASave)
+{
+    const Ogre::MeshPtr mesh = mSession.saveAndReload(makeOgreMesh("ball", makeIcosphere(1)));
+    mGroups.createResourceGroup("other", false);
+    mGroups.addResourceLocation(mSession.directory().string(), "FileSystem", "other");
+    LodDefinition definition;
+    definition.automatic = false;
+    definition.levels.resize(1);
+    definition.levels[0].value = 6.0f;
+    ASSERT_TRUE(mManager->save(*mesh, definition).ok());
+    EXPECT_TRUE(mGroups.resourceExists("other", "saved0.mesh"));
+    EXPECT_EQ(mGroups.openResource("saved0.mesh", "other")->size(),
+              fs::file_size(mSession.directory() / "saved0.mesh"));
+}
+
+TEST_F(LodDefinitionManagerTest, WhatCannotBeSavedIsAnError)
+{
+    const Ogre::MeshPtr byHand = makeOgreMesh("ball", makeIcosphere(1));
+    EXPECT_EQ(mManager->save(*byHand, {}).error().code, ErrorCode::Unsupported);
+    const Ogre::MeshPtr mesh = mSession.saveAndReload(byHand);
+    LodDefinition wrong;
+    wrong.levels.resize(1);
+    EXPECT_EQ(mManager->save(*mesh, wrong).error().code, ErrorCode::InvalidSetting);
+    EXPECT_FALSE(fs::exists(mSession.directory() / "saved0.loddef"));
+}
+
 } // namespace
 } // namespace lodsmith::test

@@ -370,5 +370,50 @@ TEST_F(LodManagerTest, AMeshOfNoFileIsMetWhenItIsLoaded)
     EXPECT_GT(mesh->getNumLodLevels(), 1);
 }
 
+TEST_F(LodManagerTest, AnotherDefinitionCountsOnce)
+{
+    writeMesh("rock.mesh", makeUvSphere(40, 30));
+    writeDefinition("rock.loddef", kTwoLevels);
+    start();
+    const Ogre::MeshPtr mesh = load("rock.mesh");
+    EXPECT_THAT(values(mesh), ElementsAre(20, 40));
+
+    LodDefinition other;
+    other.automatic = false;
+    other.levels.resize(1);
+    other.levels[0].value = 7;
+    EXPECT_EQ(mManager->apply(mesh, other).value(), LodDecision::Queued);
+    finish();
+    EXPECT_THAT(values(mesh), ElementsAre(7));
+
+    other.automatic = true;
+    EXPECT_EQ(mManager->apply(mesh, other).value(), LodDecision::Queued);
+    finish();
+    EXPECT_EQ(values(mesh).size(), automaticLodConfig(mesh).levels.size());
+
+    other.automatic = false;
+    other.levels.clear();
+    EXPECT_EQ(mManager->apply(mesh, other).value(), LodDecision::Removed);
+    EXPECT_THAT(values(mesh), IsEmpty());
+
+    EXPECT_EQ(mManager->apply(mesh).value(), LodDecision::Queued);
+    finish();
+    EXPECT_THAT(values(mesh), ElementsAre(20, 40)) << "its own again";
+}
+
+TEST_F(LodManagerTest, AnotherDefinitionWithErrorsChangesNothing)
+{
+    writeMesh("rock.mesh", makeUvSphere(40, 30));
+    writeDefinition("rock.loddef", kTwoLevels);
+    start();
+    const Ogre::MeshPtr mesh = load("rock.mesh");
+    LodDefinition wrong;
+    wrong.automatic = false;
+    wrong.levels.resize(1);
+    EXPECT_EQ(mManager->apply(mesh, wrong).error().code, ErrorCode::InvalidSetting);
+    EXPECT_THAT(values(mesh), ElementsAre(20, 40));
+    EXPECT_EQ(mQueue->queued(), 0u);
+}
+
 } // namespace
 } // namespace lodsmith::test

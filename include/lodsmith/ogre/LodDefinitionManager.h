@@ -47,6 +47,15 @@ public:
     static Result<std::filesystem::path> exportScript(const Ogre::String& meshName, const LodDefinition& definition,
                                                       const std::filesystem::path& directory);
 
+    /// The file of the definition that belongs to a mesh: the one that the mesh's group has in a directory, or else
+    /// where it would be, beside the mesh. Errors: InvalidSetting (a mesh without a base name), and those of meshPath().
+    static Result<std::filesystem::path> pathFor(const Ogre::Mesh& mesh);
+
+    /// Writes a definition to pathFor(mesh), as exportScript() does, and lets the mesh's group know the file. It counts for the
+    /// mesh from now on: definitionFor() reads it, and LodManager applies it when the mesh is loaded again, or at apply().
+    /// Errors: those of pathFor() and exportScript().
+    Result<std::filesystem::path> save(const Ogre::Mesh& mesh, const LodDefinition& definition);
+
     /// For OGRE, which calls it for each file of a group that is initialised: makes the resource; the file is read when
     /// that is loaded.
     void parseScript(Ogre::DataStreamPtr& stream, const Ogre::String& groupName) override;

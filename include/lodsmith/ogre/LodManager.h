@@ -86,6 +86,12 @@ public:
     /// lodConfig() and of generation, and BadFile for a definition with errors: then the mesh stays as it is.
     Result<LodDecision> apply(const Ogre::MeshPtr& mesh);
 
+    /// Gives a loaded mesh the levels of another definition than its own, at once or from the background as always: for editors,
+    /// whose definition is not saved yet. An automatic one gives the automatic levels of the policy. It counts once; whatever makes
+    /// this object decide about the mesh anew (loading it again, apply(), its definition's reload) goes by what is there then.
+    /// Errors: those of lodConfig() and of generation, and then the mesh stays as it is.
+    Result<LodDecision> apply(const Ogre::MeshPtr& mesh, const LodDefinition& definition);
+
     /// Applies the policy to all loaded meshes. Levels that this object gave and the policy does not ask for any more go.
     void applyToAll();
 

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace lodsmith::cli {
+namespace lodsmith {
 
 namespace {
 
@@ -62,4 +62,4 @@ TEST(MeshHeader, aFileThatEndsBeforeItsMeshIsCutOff)
     EXPECT_THAT(messageOf(bytes), HasSubstr("cut off"));
 }
 
-} // namespace lodsmith::cli
+} // namespace lodsmith

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace lodsmith::cli {
+namespace lodsmith {
 
 namespace {
 
@@ -69,4 +69,4 @@ Result<MeshHeader> parseMeshHeader(std::string_view bytes)
     return header;
 }
 
-} // namespace lodsmith::cli
+} // namespace lodsmith

@@ -1,0 +1,7 @@
+#include <lodsmith/lua/Handle.h>
+
+namespace lodsmith::lua {
+
+Handle::~Handle() = default;
+
+} // namespace lodsmith::lua
