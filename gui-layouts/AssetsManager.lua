@@ -1,0 +1,233 @@
+-- The assets manager panel: opens the parts, joins them, and hands the frames on.
+
+local DefinitionPane = require("DefinitionPane")
+local FileDialog = require("FileDialog")
+local GraphPane = require("GraphPane")
+local Guard = require("Guard")
+local Keyboard = require("Keyboard")
+local Kit = require("Kit")
+local LevelsPane = require("LevelsPane")
+local LodState = require("LodState")
+local MeshPane = require("MeshPane")
+local PreviewPane = require("PreviewPane")
+local Prompt = require("Prompt")
+local Question = require("Question")
+
+local Panel = {}
+Panel.__index = Panel
+
+local FONT = "DejaVuSans-10-NoScale"
+
+-- The panel's sizes are made for a font that does not grow with the window. A host without it gives its default font.
+local function panelFont()
+    local fonts = CEGUI.FontManager:getSingleton()
+    return fonts:isDefined(FONT) and FONT or nil
+end
+
+-- Opens the panel and returns it; lodsmith.panel is the open one. An error when there is one, or a layout is missing.
+-- options: {parent = window or nil for the root window; fill = true: it fills the parent, else it is a window in it;
+--           preview = lodsmith.preview or nil;
+--           host = {canOpen = true: files may be opened; recentFiles = function() -> paths; opened = function(path);
+--           quit = function(), for Ctrl+Q} or nil}
+local function open(options)
+    if lodsmith.panel then
+        error("the panel is open", 0)
+    end
+    local panel = setmetatable({api = lodsmith, preview = options.preview, host = options.host or {}}, Panel)
+    panel.guard = Guard.new(function(message)
+        panel:tellError(message)
+    end)
+    panel.kit = Kit.new(panel.guard, panelFont())
+    panel.state = LodState.new(lodsmith)
+    panel.panes, panel.dialogs = {}, {}
+    panel.errorsWentTo = lodsmith.onError
+    local built, message = pcall(panel.build, panel, options)
+    if not built then
+        panel:close()
+        error(message, 0)
+    end
+    lodsmith.onError = function(text)
+        panel:tellError(text)
+    end
+    lodsmith.panel = panel
+    return panel
+end
+
+function Panel:build(options)
+    local kit = self.kit
+    local parent = options.parent or CEGUI.System:getSingleton():getDefaultGUIContext():getRootWindow()
+    self.root, self.parts = kit:load("AssetsManager")
+    kit:skinOf(self.parts.MessageBar)
+    self.window = self.root
+    if not options.fill then
+        self.window = self:makeFrame()
+        self.window:addChild(self.root)
+    end
+    parent:addChild(self.window)
+    self.keyboard = Keyboard.new(kit, self.root)
+    self.panes = {
+        MeshPane.new(self, self.parts.LeftDock),
+        PreviewPane.new(self, self.parts.PreviewDock),
+        LevelsPane.new(self, self.parts.LevelsDock),
+        DefinitionPane.new(self, self.parts.RightDock),
+    }
+    table.insert(self.panes, GraphPane.new(self, self.panes[4].parts))
+    self:connectMessages()
+    self:makeDialogs(parent)
+    self.panes[1].list:activate()
+end
+
+function Panel:makeFrame()
+    local window = CEGUI.toFrameWindow(self.kit:load("AssetsManagerFrame"))
+    self.kit:on(window, "CloseClicked", function()
+        self:askToLeave(function()
+            self:close()
+        end)
+    end)
+    return window
+end
+
+function Panel:makeDialogs(parent)
+    local kit, state, host = self.kit, self.state, self.host
+    self.question = Question.new(kit, parent, function(answer)
+        state:told(state:answer(answer))
+    end)
+    self.valuePrompt = Prompt.new(kit, parent)
+    self.fileDialog = FileDialog.new(kit, parent, {
+        list = self.api.listDirectory,
+        recent = host.recentFiles or function()
+            return {}
+        end,
+        open = function(path)
+            return self:openMesh(path)
+        end,
+    })
+    self.dialogs = {self.question.dialog, self.valuePrompt.dialog, self.fileDialog.dialog}
+    state:on("question", function(question)
+        self.question:ask(question)
+    end)
+    if host.canOpen then
+        self.keyboard:shortcut(CEGUI.Key.O, true, function()
+            self:askForFile()
+        end, true)
+    end
+    if host.quit then
+        self.keyboard:shortcut(CEGUI.Key.Q, true, function()
+            self:askToLeave(host.quit)
+        end, true)
+    end
+end
+
+-- A combobox of words: chosen(index) by mouse, Up and Down step without opening it.
+function Panel:connectCombobox(combobox, chosen)
+    local kit, Key = self.kit, CEGUI.Key
+    kit:on(combobox, "ListSelectionAccepted", function()
+        local index = kit.chosen(combobox)
+        if index then
+            chosen(index)
+        end
+    end)
+    local function step(by)
+        return function()
+            local index = (kit.chosen(combobox) or 0) + by
+            if index >= 1 and index <= combobox:getItemCount() then
+                kit:chooseInCombobox(combobox, index)
+                chosen(index)
+            end
+        end
+    end
+    self.keyboard:add(combobox, {[Key.ArrowUp] = step(-1), [Key.ArrowDown] = step(1)})
+end
+
+-- Messages ------------------------------------------------------------------------------------------------------------
+
+function Panel:connectMessages()
+    local state, kit, parts = self.state, self.kit, self.parts
+    state:on("message", function(kind, text)
+        kit:setMessage(parts.Message, kind, (text:gsub("\n", "; ")))
+        parts.Message:setTooltipText(text)
+    end)
+    local function cancel()
+        state:told(state:cancelGeneration())
+    end
+    kit:on(parts.Cancel, "Clicked", cancel)
+    self.keyboard:addButton(parts.Cancel, cancel)
+    self.progress = CEGUI.toProgressBar(parts.Progress)
+end
+
+function Panel:refreshProgress()
+    local isGenerating = self.state:isGenerating()
+    self.kit:setEnabled(self.parts.Cancel, isGenerating)
+    self.progress:setProgress(isGenerating and self.state.progress or 0)
+end
+
+-- An error in a handler, with its place.
+function Panel:tellError(message)
+    CEGUI.Logger:getSingleton():logEvent("Lodsmith: " .. message, CEGUI.Errors)
+    self.state:say("error", (message:match("^[^\n]*")))
+end
+
+-- What hosts and scripts call -----------------------------------------------------------------------------------------
+
+-- Once a frame; seconds since the last.
+function Panel:update(seconds)
+    self.guard:call("state", self.state.update, self.state, seconds)
+    for _, pane in ipairs(self.panes) do
+        self.guard:call("pane", pane.update, pane, seconds)
+    end
+    self.guard:call("progress", self.refreshProgress, self)
+    self.keyboard:update()
+    for _, dialog in ipairs(self.dialogs) do
+        dialog.keyboard:update()
+    end
+end
+
+function Panel:chooseMesh(mesh)
+    return self.state:told(self.state:chooseMesh(mesh))
+end
+
+function Panel:openMesh(path)
+    local opened, message = self.state:told(self.state:openMesh(path))
+    if opened and self.host.opened then
+        self.host.opened(path)
+    end
+    return opened, message
+end
+
+function Panel:askForFile()
+    local path = self.state.mesh and self.state.mesh:path()
+    self.fileDialog:ask(path and path:match("^(.*)/[^/]*$"))
+end
+
+function Panel:prompt(options)
+    self.valuePrompt:ask(options)
+end
+
+-- Calls `leave` when there is nothing to lose, or when the artist has said what becomes of it.
+function Panel:askToLeave(leave)
+    return self.state:told(self.state:afterSaving("The panel is to be closed.", function()
+        leave()
+        return true
+    end))
+end
+
+-- Unsaved changes are lost: askToLeave() asks.
+function Panel:close()
+    if not self.window then
+        return
+    end
+    self.state:close()
+    for _, dialog in ipairs(self.dialogs) do
+        dialog:close()
+        CEGUI.WindowManager:getSingleton():destroyWindow(dialog.window)
+    end
+    CEGUI.WindowManager:getSingleton():destroyWindow(self.window)
+    self.window, self.panes, self.dialogs = nil, {}, {}
+    self.update = function() end
+    lodsmith.onError = self.errorsWentTo
+    if lodsmith.panel == self then
+        lodsmith.panel = nil
+    end
+end
+
+return {open = open}
