@@ -8,6 +8,8 @@ end
 addBasicType("Text", "text")
 addBasicType("Function", "function")
 addBasicType("OptionalNumber", "optionalnumber")
+addBasicType("OptionalText", "optionaltext")
+addBasicType("Items", "items")
 addBasicType("Returned", "returned", "Returned&&")
 
 -- Arguments that are handles are looked at more closely than tolua++ does.

@@ -1,0 +1,304 @@
+#include "PanelScript.h"
+
+#include "CeguiPreview.h"
+#include "PreviewHandle.h"
+
+#include <lodsmith/lua/Binding.h>
+
+#include <exception>
+#include <lua.hpp>
+#include <utility>
+#include <vector>
+
+int tolua_Panel_open(lua_State* state);
+
+namespace lodsmith {
+
+namespace {
+
+constexpr const char* kWindowType = "CEGUI::Window";
+
+std::string takeMessage(lua_State* state)
+{
+    std::string message = "an error without a message";
+    if (lua_type(state, -1) == LUA_TSTRING)
+        message = lua_tostring(state, -1);
+    lua_pop(state, 1);
+    return message;
+}
+
+/// Calls a function of Lua's or C's in protected mode. Errors: BadFile.
+Result<Done> runProtected(lua_State* state, lua_CFunction function, void* argument)
+{
+    try {
+        if (lua_cpcall(state, function, argument) == 0)
+            return Done{};
+        return Error{ErrorCode::BadFile, takeMessage(state)};
+    } catch (const std::exception& exception) { // what CEGUI throws among others; its bindings let some of it through
+        return Error{ErrorCode::BadFile, exception.what()};
+    } catch (...) {
+        return Error{ErrorCode::BadFile, "an unknown exception"};
+    }
+}
+
+/// Leaves what stands under a name in the table `lodsmith`, or nil.
+void pushLodsmithField(lua_State* state, const char* name)
+{
+    lua_getglobal(state, "lodsmith");
+    if (lua_istable(state, -1))
+        lua_getfield(state, -1, name);
+    else
+        lua_pushnil(state);
+    lua_remove(state, -2);
+}
+
+int findCegui(lua_State* state)
+{
+    lua_getglobal(state, "CEGUI");
+    if (!lua_istable(state, -1))
+        luaL_error(state, "the Lua state does not have CEGUI's script module");
+    return 0;
+}
+
+/// `package.path` with the directory in front.
+void prependPath(lua_State* state, const char* directory)
+{
+    lua_getglobal(state, "package");
+    lua_getfield(state, -1, "path");
+    lua_pushfstring(state, "%s/?.lua;%s", directory, lua_tostring(state, -1));
+    lua_setfield(state, -3, "path");
+    lua_pop(state, 2);
+}
+
+void setPath(lua_State* state, int path)
+{
+    lua_getglobal(state, "package");
+    lua_pushvalue(state, path);
+    lua_setfield(state, -2, "path");
+    lua_pop(state, 1);
+}
+
+struct Message {
+    const char* text;
+};
+
+int tellInLua(lua_State* state)
+{
+    const auto* message = static_cast<const Message*>(lua_touserdata(state, 1));
+    pushLodsmithField(state, "onError");
+    if (lua_isfunction(state, -1)) {
+        lua_pushstring(state, message->text);
+        lua_call(state, 1, 0);
+    }
+    return 0;
+}
+
+} // namespace
+
+/// What the functions in Lua are given. Strings are kept by whoever calls.
+struct PanelScript::Opening {
+    PanelScript* script;
+    const char* directory;
+    lua::Table* fields; ///< of the table `lodsmith`
+};
+
+Result<Done> PanelScript::check(lua_State* state)
+{
+    const auto found = runProtected(state, findCegui, nullptr);
+    return found ? found : Error{ErrorCode::NotFound, found.error().message};
+}
+
+PanelScript::PanelScript(const PanelHost& host, const std::shared_ptr<CeguiPreview>& preview)
+    : mState(host.lua), mHost(host), mPreview(preview)
+{
+}
+
+Result<std::unique_ptr<PanelScript>> PanelScript::open(const PanelHost& host, const std::string& directory,
+                                                       const std::shared_ptr<CeguiPreview>& preview)
+{
+    std::unique_ptr<PanelScript> script(new PanelScript(host, preview));
+    lua::Table fields;
+    if (preview)
+        fields.set("preview", std::make_unique<lua::PreviewHandle>(preview));
+    Opening opening{script.get(), directory.c_str(), &fields};
+    const auto opened = runProtected(host.lua, openInLua, &opening);
+    if (!opened)
+        return opened.error();
+    return script;
+}
+
+PanelScript::~PanelScript()
+{
+    // Nobody is left to tell when it fails, and the panel goes all the same.
+    static_cast<void>(runProtected(mState, closeInLua, this));
+}
+
+/// Stack: Opening. Raises Lua errors.
+int PanelScript::openInLua(lua_State* state)
+{
+    const auto* opening = static_cast<const Opening*>(lua_touserdata(state, 1));
+    lua_getglobal(state, "package");
+    lua_getfield(state, -1, "path");
+    const int pathBefore = lua_gettop(state);
+    tolua_Panel_open(state);
+    lua_settop(state, pathBefore);
+    lua_getglobal(state, "lodsmith");
+    opening->fields->push(state);
+    lua_getfield(state, -1, "preview");
+    lua_setfield(state, -3, "preview");
+    prependPath(state, opening->directory);
+    lua_getglobal(state, "require");
+    lua_pushliteral(state, "AssetsManager");
+    const int failed = lua_pcall(state, 1, 1, 0);
+    setPath(state, pathBefore);
+    if (failed != 0)
+        return lua_error(state);
+    lua_getfield(state, -1, "open");
+    opening->script->pushOptions();
+    lua_call(state, 1, 1);
+    luaL_checktype(state, -1, LUA_TTABLE);
+    lua_pushlightuserdata(state, opening->script);
+    lua_insert(state, -2);
+    lua_rawset(state, LUA_REGISTRYINDEX);
+    return 0;
+}
+
+/// Leaves what AssetsManager's open() takes. Raises Lua errors.
+void PanelScript::pushOptions()
+{
+    lua_newtable(mState);
+    if (mHost.parent) {
+        tolua_pushusertype(mState, mHost.parent, kWindowType);
+        lua_setfield(mState, -2, "parent");
+    }
+    lua_pushboolean(mState, mHost.fillsParent);
+    lua_setfield(mState, -2, "fill");
+    pushLodsmithField(mState, "preview");
+    lua_setfield(mState, -2, "preview");
+    lua_newtable(mState);
+    lua_pushboolean(mState, mHost.canOpen);
+    lua_setfield(mState, -2, "canOpen");
+    lua_pushlightuserdata(mState, this);
+    lua_pushcclosure(mState, recentFilesForLua, 1);
+    lua_setfield(mState, -2, "recentFiles");
+    lua_pushlightuserdata(mState, this);
+    lua_pushcclosure(mState, openedForLua, 1);
+    lua_setfield(mState, -2, "opened");
+    lua_setfield(mState, -2, "host");
+}
+
+/// Leaves the panel's table, or nil when the panel is gone.
+void PanelScript::pushPanel(lua_State* state, void* script)
+{
+    lua_pushlightuserdata(state, script);
+    lua_rawget(state, LUA_REGISTRYINDEX);
+}
+
+/// The script whose function is running, or null when the panel is gone: scripts may have kept the function.
+PanelScript* PanelScript::ofUpvalue(lua_State* state)
+{
+    void* script = lua_touserdata(state, lua_upvalueindex(1));
+    pushPanel(state, script);
+    const bool isThere = !lua_isnil(state, -1);
+    lua_pop(state, 1);
+    return isThere ? static_cast<PanelScript*>(script) : nullptr;
+}
+
+int PanelScript::recentFilesForLua(lua_State* state)
+{
+    const PanelScript* script = ofUpvalue(state);
+    return lua::call(state, [&]() -> lua::Returned {
+        if (!script || !script->mHost.recentFiles)
+            return lua::Table();
+        return lua::Table(script->mHost.recentFiles());
+    });
+}
+
+int PanelScript::openedForLua(lua_State* state)
+{
+    std::size_t length = 0;
+    const char* path = luaL_checklstring(state, 1, &length);
+    const PanelScript* script = ofUpvalue(state);
+    return lua::call(state, [&]() -> lua::Returned {
+        if (script && script->mHost.opened)
+            script->mHost.opened(std::string(path, length));
+        return true;
+    });
+}
+
+/// Stack: the script. Raises Lua errors.
+int PanelScript::closeInLua(lua_State* state)
+{
+    void* script = lua_touserdata(state, 1);
+    pushPanel(state, script);
+    pushLodsmithField(state, "panel");
+    const bool isShown = lua_rawequal(state, -1, -2) != 0;
+    lua_pop(state, 1);
+    lua_pushlightuserdata(state, script);
+    lua_pushnil(state);
+    lua_rawset(state, LUA_REGISTRYINDEX);
+    lua_getglobal(state, "lodsmith");
+    for (const char* field : {"preview", isShown ? "panel" : "preview"}) {
+        lua_pushnil(state);
+        lua_setfield(state, -2, field);
+    }
+    lua_pop(state, 1);
+    if (!lua_istable(state, -1))
+        return 0;
+    lua_getfield(state, -1, "close");
+    lua_insert(state, -2);
+    lua_call(state, 1, 0);
+    return 0;
+}
+
+struct PanelScript::Update {
+    PanelScript* script;
+    double seconds;
+};
+
+/// Stack: Update. Raises Lua errors.
+int PanelScript::updateInLua(lua_State* state)
+{
+    const auto* update = static_cast<const Update*>(lua_touserdata(state, 1));
+    pushPanel(state, update->script);
+    lua_getfield(state, -1, "update");
+    lua_insert(state, -2);
+    lua_pushnumber(state, update->seconds);
+    lua_call(state, 2, 0);
+    return 0;
+}
+
+Result<Done> PanelScript::update(double seconds)
+{
+    Update argument{this, seconds};
+    return runProtected(mState, updateInLua, &argument);
+}
+
+void PanelScript::tell(const std::string& text)
+{
+    Message message{text.c_str()};
+    static_cast<void>(runProtected(mState, tellInLua, &message)); // the log has it
+}
+
+struct PanelScript::Answer {
+    const PanelScript* script;
+    bool isOpen;
+};
+
+/// Stack: Answer. Raises Lua errors.
+int PanelScript::isOpenInLua(lua_State* state)
+{
+    auto* answer = static_cast<Answer*>(lua_touserdata(state, 1));
+    pushPanel(state, const_cast<PanelScript*>(answer->script));
+    lua_getfield(state, -1, "window");
+    answer->isOpen = !lua_isnil(state, -1);
+    return 0;
+}
+
+bool PanelScript::isOpen() const
+{
+    Answer answer{this, false};
+    return runProtected(mState, isOpenInLua, &answer) && answer.isOpen;
+}
+
+} // namespace lodsmith
