@@ -194,6 +194,14 @@ function Panel:openMesh(path)
     return opened, message
 end
 
+-- path: a mesh, or a directory of meshes
+function Panel:open(path)
+    if self.api.listDirectory(path) then
+        return self.state:told(self.state:openDirectory(path))
+    end
+    return self:openMesh(path)
+end
+
 function Panel:askForFile()
     local path = self.state.mesh and self.state.mesh:path()
     self.fileDialog:ask(path and path:match("^(.*)/[^/]*$"))

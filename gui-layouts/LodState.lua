@@ -138,6 +138,19 @@ function LodState:openMesh(path)
     return self:chooseMesh(mesh)
 end
 
+-- All meshes of a directory go into the list, and the first one is chosen.
+function LodState:openDirectory(path)
+    local meshes, message = self.api.openDirectory(path)
+    if not meshes then
+        return nil, message
+    end
+    if #meshes == 0 then
+        return nil, path .. ": there are no meshes"
+    end
+    self:emit("figures")
+    return self:chooseMesh(meshes[1])
+end
+
 function LodState:setMesh(mesh)
     if mesh:isGone() then
         return nil, "the mesh is gone"

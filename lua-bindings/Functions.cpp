@@ -110,6 +110,19 @@ Returned openMesh(Text path)
     return std::make_unique<Mesh>(mesh.value());
 }
 
+Returned openDirectory(Text path)
+{
+    if (!Ogre::MeshManager::getSingletonPtr())
+        return noOgre();
+    const Result<std::vector<Ogre::MeshPtr>> found = openMeshDirectory(fs::path(path));
+    if (!found)
+        return found.error();
+    Table meshes;
+    for (const Ogre::MeshPtr& mesh : found.value())
+        meshes.add(std::make_unique<Mesh>(mesh));
+    return meshes;
+}
+
 Returned listDirectory(Text path)
 {
     std::error_code error;

@@ -27,6 +27,7 @@ private:
 /// The functions of that name in Lua: docs/lua.md.
 Returned meshes();
 Returned openMesh(Text path);
+Returned openDirectory(Text path);
 Returned listDirectory(Text path);
 Returned resource(Text name, Text group);
 Returned toMesh(const Resource& resource);

@@ -57,7 +57,7 @@ Result<Done> Editor::open(const Options& options)
     if (auto opened = openPanel(); !opened)
         return opened;
     for (const fs::path& path : options.paths)
-        runInPanel("lodsmith.panel:openMesh(...)", path.string());
+        runInPanel("lodsmith.panel:open(...)", path.string());
     if (options.script.empty())
         return Done{};
     auto script = Script::load(mGui.lua(), options.script);
@@ -111,7 +111,7 @@ void Editor::handle(const SDL_Event& event)
     if (event.type == SDL_QUIT)
         return runInPanel("lodsmith.panel:askToLeave(function() lodsmith.editor:quit() end)");
     if (event.type == SDL_DROPFILE) {
-        runInPanel("lodsmith.panel:openMesh(...)", event.drop.file);
+        runInPanel("lodsmith.panel:open(...)", event.drop.file);
         SDL_free(event.drop.file);
         return;
     }

@@ -12,6 +12,7 @@
 #include <OgreMeshSerializer.h>
 #include <OgreResourceGroupManager.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <system_error>
@@ -90,6 +91,33 @@ void prepareGroup(const Ogre::String& directory, const Ogre::String& file)
         listAgain(directory, directory);
 }
 
+/// The mesh of a file by its canonical path, loaded or not.
+Ogre::MeshPtr declareMesh(const fs::path& file)
+{
+    const Ogre::String group = file.parent_path().string();
+    const Ogre::String name = file.filename().string();
+    prepareGroup(group, name);
+    return std::static_pointer_cast<Ogre::Mesh>(
+        Ogre::MeshManager::getSingleton().createOrRetrieve(name, group).first);
+}
+
+std::vector<fs::path> meshFilesBelow(const fs::path& directory)
+{
+    std::vector<fs::path> files;
+    std::error_code error;
+    fs::recursive_directory_iterator entries(directory, fs::directory_options::skip_permission_denied, error);
+    for (; !error && entries != fs::recursive_directory_iterator(); entries.increment(error)) {
+        const fs::path& file = entries->path();
+        std::error_code unreadable; // a link that leads nowhere
+        if (file.filename().string().front() == '.')
+            entries.disable_recursion_pending();
+        else if (file.extension() == ".mesh" && entries->is_regular_file(unreadable))
+            files.push_back(file);
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
 } // namespace
 
 Result<Ogre::MeshPtr> openMeshFile(const fs::path& path)
@@ -102,18 +130,31 @@ Result<Ogre::MeshPtr> openMeshFile(const fs::path& path)
     if (!fs::is_regular_file(file, error))
         return Error{ErrorCode::Io, "is no regular file", path.string()};
     return guarded(path.string(), [&]() -> Result<Ogre::MeshPtr> {
-        const Ogre::String group = file.parent_path().string();
-        const Ogre::String name = file.filename().string();
-        prepareGroup(group, name);
-        auto& meshes = Ogre::MeshManager::getSingleton();
-        const bool isNew = !meshes.getByName(name, group);
-        const auto mesh = std::static_pointer_cast<Ogre::Mesh>(meshes.createOrRetrieve(name, group).first);
+        const bool isNew = !Ogre::MeshManager::getSingleton().getByName(file.filename(), file.parent_path());
+        const Ogre::MeshPtr mesh = declareMesh(file);
         if (Result<Done> loaded = loadMesh(mesh); !loaded) {
             if (isNew)
-                meshes.remove(mesh);
+                Ogre::MeshManager::getSingleton().remove(mesh);
             return loaded.error();
         }
-        return Ogre::MeshPtr(mesh);
+        return mesh;
+    });
+}
+
+Result<std::vector<Ogre::MeshPtr>> openMeshDirectory(const fs::path& path)
+{
+    assertMainThread();
+    std::error_code error;
+    const fs::path directory = fs::canonical(path, error);
+    if (error)
+        return fileError(error, path);
+    if (!fs::is_directory(directory, error))
+        return Error{ErrorCode::Io, "is no directory", path.string()};
+    return guarded(path.string(), [&]() -> Result<std::vector<Ogre::MeshPtr>> {
+        std::vector<Ogre::MeshPtr> meshes;
+        for (const fs::path& file : meshFilesBelow(directory))
+            meshes.push_back(declareMesh(file));
+        return meshes;
     });
 }
 

@@ -6,6 +6,7 @@
 #include <OgreMesh.h>
 
 #include <filesystem>
+#include <vector>
 
 namespace lodsmith {
 
@@ -15,6 +16,11 @@ namespace lodsmith {
 ///
 /// Errors: NotFound (no such file), Io, and those of loadMesh(). Main thread only, as MeshReader.
 LODSMITH_API Result<Ogre::MeshPtr> openMeshFile(const std::filesystem::path& path);
+
+/// Lets OGRE know of all files "*.mesh" in a directory and in those below it, each as openMeshFile() does it, without loading
+/// them. Sorted by path; hidden directories, links to directories and what may not be read are left out. Errors: NotFound,
+/// Io (no directory), Unsupported (OGRE refused). Main thread only, as MeshReader.
+LODSMITH_API Result<std::vector<Ogre::MeshPtr>> openMeshDirectory(const std::filesystem::path& path);
 
 /// Loads a mesh, if it is not loaded. OGRE ends the process over much that is no mesh, so that a mesh of a file is looked at
 /// first. Errors: BadFile (empty, no mesh, of a version that this OGRE does not read, cut off or damaged), Io,
