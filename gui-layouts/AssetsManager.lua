@@ -65,16 +65,16 @@ function Panel:build(options)
     end
     parent:addChild(self.window)
     self.keyboard = Keyboard.new(kit, self.root)
-    self.panes = {
-        MeshPane.new(self, self.parts.LeftDock),
-        PreviewPane.new(self, self.parts.PreviewDock),
-        LevelsPane.new(self, self.parts.LevelsDock),
-        DefinitionPane.new(self, self.parts.RightDock),
-    }
-    table.insert(self.panes, GraphPane.new(self, self.panes[4].parts))
+    -- In this order Tab goes through them.
+    self.meshPane = MeshPane.new(self, self.parts.LeftDock)
+    self.previewPane = PreviewPane.new(self, self.parts.PreviewDock)
+    self.levelsPane = LevelsPane.new(self, self.parts.LevelsDock)
+    self.definitionPane = DefinitionPane.new(self, self.parts.RightDock)
+    self.graphPane = GraphPane.new(self, self.definitionPane.parts)
+    self.panes = {self.meshPane, self.previewPane, self.levelsPane, self.definitionPane, self.graphPane}
     self:connectMessages()
     self:makeDialogs(parent)
-    self.panes[1].list:activate()
+    self.meshPane.list:activate()
 end
 
 function Panel:makeFrame()
@@ -89,11 +89,11 @@ end
 
 function Panel:makeDialogs(parent)
     local kit, state, host = self.kit, self.state, self.host
-    self.question = Question.new(kit, parent, function(answer)
+    self.question = Question.new(kit, parent, self.root, function(answer)
         state:told(state:answer(answer))
     end)
-    self.valuePrompt = Prompt.new(kit, parent)
-    self.fileDialog = FileDialog.new(kit, parent, {
+    self.valuePrompt = Prompt.new(kit, parent, self.root)
+    self.fileDialog = FileDialog.new(kit, parent, self.root, {
         list = self.api.listDirectory,
         recent = host.recentFiles or function()
             return {}

@@ -135,6 +135,7 @@ function DefinitionPane:connectLevel()
     end)
 end
 
+-- The slider is a scrollbar: those lie flat in every skin, and have buttons for small steps.
 function DefinitionPane:connectSlider()
     local kit, state, slider, Key = self.kit, self.state, self.slider, CEGUI.Key
     kit:on(slider, "ScrollPositionChanged", function()

@@ -5,10 +5,10 @@ local Keyboard = require("Keyboard")
 local Dialog = {}
 Dialog.__index = Dialog
 
--- layout: its name; parent: the window it lies over
+-- layout: its name; parent: the window that it is in; behind: what has the focus afterwards at the least
 -- cancel: what Escape and the button in the title do
-function Dialog.new(kit, parent, layout, cancel)
-    local self = setmetatable({kit = kit}, Dialog)
+function Dialog.new(kit, parent, behind, layout, cancel)
+    local self = setmetatable({kit = kit, behind = behind}, Dialog)
     self.window, self.parts = kit:load(layout)
     parent:addChild(self.window)
     self.keyboard = Keyboard.new(kit, self.window)
@@ -47,12 +47,17 @@ function Dialog:close()
     end
 end
 
--- Without an active window keys would go nowhere.
+-- Without an active window keys would go nowhere. Another dialog may have opened over this one.
 function Dialog:giveFocusBack()
     local before = self.before
     self.before = nil
-    if before and CEGUI.WindowManager:getSingleton():isAlive(before) then
+    if CEGUI.System:getSingleton():getDefaultGUIContext():getModalWindow() then
+        return
+    end
+    if before and CEGUI.WindowManager:getSingleton():isAlive(before) and before:isEffectiveVisible() then
         before:activate()
+    else
+        self.behind:activate()
     end
 end
 

@@ -7,12 +7,12 @@ FileDialog.__index = FileDialog
 
 -- options: {list = function(path) -> listing | nil, message; recent = function() -> paths;
 --           open = function(path) -> true | nil, message}
-function FileDialog.new(kit, parent, options)
+function FileDialog.new(kit, parent, behind, options)
     local self = setmetatable({kit = kit, options = options, entries = {}, recentFiles = {}}, FileDialog)
     local function cancel()
         self.dialog:close()
     end
-    self.dialog = Dialog.new(kit, parent, "FileDialog", cancel)
+    self.dialog = Dialog.new(kit, parent, behind, "FileDialog", cancel)
     local parts = self.dialog.parts
     self.files, self.recent = CEGUI.toListbox(parts.Files), CEGUI.toListbox(parts.Recent)
     local function go()

@@ -161,6 +161,26 @@ function PreviewPane:mouseUp()
     end
 end
 
+-- For scripts ---------------------------------------------------------------------------------------------------------
+
+-- level: a number in the list of levels, 0 for the mesh, "selected", or nil: the camera decides.
+function PreviewPane:showLevel(level)
+    if level == "selected" then
+        self.shown = SELECTED
+    else
+        self.shown = level and FIRST_LEVEL + level or BY_CAMERA
+    end
+    self.isStale = true
+end
+
+-- mode: of lodsmith.CompareMode; first, second: numbers in the list of levels, 0 for the mesh; share: where the split is
+function PreviewPane:compareLevels(mode, first, second, share)
+    local _, index = Words.find(self.words.compareModes, mode)
+    self.compareMode = index or 1
+    self.compareA, self.compareB, self.share = (first or 0) + 1, (second or 0) + 1, share or 0.5
+    self.isStale = true
+end
+
 -- What to draw --------------------------------------------------------------------------------------------------------
 
 function PreviewPane:resetCamera()

@@ -5,7 +5,7 @@ local Dialog = require("Dialog")
 local Prompt = {}
 Prompt.__index = Prompt
 
-function Prompt.new(kit, parent)
+function Prompt.new(kit, parent, behind)
     local self = setmetatable({kit = kit}, Prompt)
     local function cancel()
         self.dialog:close()
@@ -13,7 +13,7 @@ function Prompt.new(kit, parent)
     local function accept()
         self:accept()
     end
-    self.dialog = Dialog.new(kit, parent, "Prompt", cancel)
+    self.dialog = Dialog.new(kit, parent, behind, "Prompt", cancel)
     self.box = self.dialog.parts.PromptValue
     kit:on(self.box, "TextChanged", function()
         self:validate()

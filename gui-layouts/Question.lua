@@ -9,9 +9,9 @@ local NAMES = {save = "Save", discard = "Discard", cancel = "Cancel"}
 local BUTTONS = {"First", "Second", "Third"}
 
 -- answered: function(answer)
-function Question.new(kit, parent, answered)
+function Question.new(kit, parent, behind, answered)
     local self = setmetatable({kit = kit, answered = answered}, Question)
-    self.dialog = Dialog.new(kit, parent, "Question", function()
+    self.dialog = Dialog.new(kit, parent, behind, "Question", function()
         self:answer("cancel")
     end)
     local buttons = {}

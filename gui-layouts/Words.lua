@@ -18,7 +18,7 @@ function Words.of(api)
             {Strategy.ScreenRatioPixelCount, "Share of the screen", label = "Below share"},
         },
         methods = {
-            {Method.Proportional, "Share of vertices removed", short = "share", hint = "0 to 1"},
+            {Method.Proportional, "Share removed", short = "share", hint = "0 to 1, of the vertices"},
             {Method.Constant, "Vertices removed", short = "vertices", hint = "of %d vertices", of = "uniqueVertices"},
             {Method.Triangles, "Triangles left", short = "triangles", hint = "of %d triangles", of = "triangles"},
             {Method.Deviation, "Largest deviation", short = "deviation", hint = "in world units"},

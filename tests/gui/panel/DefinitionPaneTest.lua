@@ -76,6 +76,27 @@ function Tests.sliderDragIsOneStepOfUndo()
     Expect.near(session.state:level(1):amount(), 0.9, 1e-6)
 end
 
+function Tests.mouseDragsTheThumb()
+    local session = open(20)
+    local thumb = session.parts.AmountSlider:getChild("__auto_thumb__")
+    local context = CEGUI.System:getSingleton():getDefaultGUIContext()
+    Hand.point(thumb)
+    Hand.down()
+    local generated = 0
+    for _ = 1, 10 do
+        context:injectMouseMove(6, 0)
+        session:frame(0.6)
+        if session.api.queue:isQueued(session.state.mesh) then
+            session:finish()
+            generated = generated + 1
+        end
+    end
+    Hand.up()
+    Expect.yes(session.state:level(1):amount() > 0.6, session.state:level(1):amount())
+    Expect.yes(generated > 5, generated)
+    Expect.equal(#session.state.undoSteps, 1)
+end
+
 function Tests.badAmountIsMarkedWhileItIsTyped()
     local session = open(20)
     Hand.replace(session.parts.Amount, "most")
@@ -89,7 +110,7 @@ function Tests.badAmountIsMarkedWhileItIsTyped()
     Hand.key(CEGUI.Key.Escape)
     session:frame()
     Expect.equal(session.parts.Amount:getText(), "0.5")
-    Expect.equal(session.parts.LevelError:getText(), "0 to 1")
+    Expect.equal(session.parts.LevelError:getText(), "0 to 1, of the vertices")
 end
 
 function Tests.badValueIsMarkedAndNothingIsLost()

@@ -103,6 +103,23 @@ function Tests.fileDialogWalksAndOpens()
     Expect.equal(opened, "/fake/cottage.mesh")
 end
 
+function Tests.openingAsksForUnsavedChangesAndKeysWorkOn()
+    local session = open():withLevels(20)
+    session.state:setAmount("0.9")
+    Hand.click(session.parts.Open)
+    Hand.clickRow(CEGUI.toListbox(session.parts.Files), 3)
+    Hand.key(CEGUI.Key.Return)
+    Expect.no(session.parts.FileDialog:isVisible())
+    Expect.yes(session.parts.Question:isVisible())
+    Hand.key(CEGUI.Key.Escape)
+    Expect.no(session.parts.Question:isVisible())
+    Expect.equal(session.state.mesh:name(), "castle.mesh")
+    Hand.key(CEGUI.Key.Z, "control")
+    Expect.no(session.state:isDirty())
+    Hand.key(CEGUI.Key.Tab)
+    Expect.yes(session.panel.keyboard:focused())
+end
+
 function Tests.recentFilesOpen()
     local session = open({host = {canOpen = true, recentFiles = function() return {"/old/tree.mesh"} end}})
     Hand.key(CEGUI.Key.O, "control")

@@ -163,7 +163,7 @@ function Tests.errorInAHandlerIsShownAndNothingElseHappens()
     session.state.rows = function()
         error("bang")
     end
-    session.panel.panes[3].isStale = true
+    session.panel.levelsPane.isStale = true
     session:frame()
     Expect.yes(session:message():find("bang", 1, true))
     session.state.deleteLevel, session.state.rows = nil, nil

@@ -106,6 +106,26 @@ function Tests.comparisonAndItsSplit()
     Expect.no(session.parts.Split:isVisible())
 end
 
+function Tests.scriptsChooseWhatIsShown()
+    local session = open()
+    local pane, Mode = session.panel.previewPane, session.api.CompareMode
+    for level, forced in pairs({[0] = 0, [2] = 2, selected = 1}) do
+        pane:showLevel(level)
+        session:frame()
+        Expect.equal(session.preview.level, forced)
+    end
+    pane:showLevel(nil)
+    pane:compareLevels(Mode.SideBySide, 1, 2)
+    session:frame()
+    Expect.equal(session.preview.compared.mode, Mode.SideBySide)
+    Expect.equal(session.preview.compared.a, 1)
+    Expect.equal(session.preview.compared.b, 2)
+    Expect.equal(session.parts.CompareB:getText(), "Level 2")
+    pane:compareLevels(Mode.Off)
+    session:frame()
+    Expect.equal(session.preview.level, nil)
+end
+
 function Tests.viewAtSwitchDistance()
     local session = open()
     session.state:select(2)
@@ -147,7 +167,7 @@ function Tests.graphHasTheLevelsAsMarks()
     for _, point in ipairs(session.graph.curve) do
         Expect.yes(point[1] >= 0 and point[1] <= 1 and point[2] >= 0 and point[2] <= 1)
     end
-    local mark = session.panel.panes[5].marks[2]
+    local mark = session.panel.graphPane.marks[2]
     local size = session.parts.Graph:getPixelSize()
     Hand.click(session.parts.Graph, (7 + mark.x * (size.width - 14)) / size.width,
         1 - (7 + mark.y * (size.height - 14)) / size.height)

@@ -1,0 +1,127 @@
+local Expect = require("Expect")
+
+-- What the skins' edit boxes have around the text, at the most.
+local EDITBOX_MARGIN = 5
+local SIZES = {{1024, 768}, {1280, 1024}, {1920, 1080}, {2560, 1440}}
+
+local function resize(width, height)
+    CEGUI.System:getSingleton():notifyDisplaySizeChanged(CEGUI.Sizef(width, height))
+end
+
+-- Left, top, right and bottom; a combobox without its list.
+local function areaOf(window)
+    local area = window:getUnclippedOuterRect():get()
+    local bottom = area:bottom()
+    if window:getType():find("Combobox", 1, true) then
+        bottom = area:top() + CEGUI.toCombobox(window):getEditbox():getPixelSize().height
+    end
+    return area:left(), area:top(), area:right(), bottom
+end
+
+local function overlap(a, b)
+    local left, top, right, bottom = areaOf(a)
+    local otherLeft, otherTop, otherRight, otherBottom = areaOf(b)
+    return left < otherRight - 0.5 and otherLeft < right - 0.5 and top < otherBottom - 0.5 and otherTop < bottom - 0.5
+end
+
+local function childrenOf(window)
+    local children = {}
+    for index = 0, window:getChildCount() - 1 do
+        local child = window:getChildAtIdx(index)
+        -- What lies over the preview lets the mouse through, and so does the mark of the keyboard.
+        if child:getName():sub(1, 2) ~= "__" and child:isVisible() and not child:isMousePassThroughEnabled() then
+            table.insert(children, child)
+        end
+    end
+    return children
+end
+
+local function checkChildren(window, what)
+    local children = childrenOf(window)
+    local left, top, right, bottom = areaOf(window)
+    for index, child in ipairs(children) do
+        local childLeft, childTop, childRight, childBottom = areaOf(child)
+        Expect.yes(childLeft >= left - 1 and childTop >= top - 1 and childRight <= right + 1 and childBottom <= bottom + 1,
+            what .. ": " .. child:getName() .. " sticks out of " .. window:getName())
+        Expect.yes(childRight - childLeft > 4 and childBottom - childTop > 4, what .. ": no room for " .. child:getName())
+        for other = index + 1, #children do
+            Expect.no(overlap(child, children[other])
+                and what .. ": " .. child:getName() .. " and " .. children[other]:getName())
+        end
+        checkChildren(child, what)
+    end
+end
+
+-- Texts of buttons and of labels that are one line.
+local function checkTexts(parts, what)
+    local font = CEGUI.FontManager:getSingleton():get("DejaVuSans-10-NoScale")
+    for name, window in pairs(parts) do
+        local isLabel = window:getType():find("StaticText", 1, true)
+            and window:getProperty("HorzFormatting") == "LeftAligned" and name ~= "Message"
+        if window:isEffectiveVisible() and (isLabel or window:getType():find("Button", 1, true)) then
+            local needed = font:getTextExtent(window:getText(), 1)
+            Expect.yes(needed <= window:getPixelSize().width, what .. ": " .. name .. " is cut: " .. window:getText())
+        end
+    end
+end
+
+-- Whatever is chosen in a combobox.
+local function checkChoices(parts, what)
+    local font = CEGUI.FontManager:getSingleton():get("DejaVuSans-10-NoScale")
+    for name, window in pairs(parts) do
+        if window:getType():find("Combobox", 1, true) then
+            local combobox = CEGUI.toCombobox(window)
+            local room = combobox:getEditbox():getPixelSize().width - 2 * EDITBOX_MARGIN
+            for index = 0, combobox:getItemCount() - 1 do
+                local text = combobox:getListboxItemFromIndex(index):getText()
+                Expect.yes(font:getTextExtent(text, 1) <= room, what .. ": " .. name .. " is cut: " .. text)
+            end
+        end
+    end
+end
+
+local function open(options)
+    local session = require("PanelSession").open(options):withLevels(20, 50)
+    session.state:setAmount("0.6")
+    session:finish()
+    session:frame(1)
+    session.api.finishJobs()
+    session:frame()
+    return session
+end
+
+local Tests = {}
+
+function Tests.nothingOverlapsAndNothingIsCut()
+    local session = open()
+    for _, size in ipairs(SIZES) do
+        resize(size[1], size[2])
+        session:frame()
+        local what = ("%d x %d"):format(size[1], size[2])
+        checkChildren(session.panel.root, what)
+        checkTexts(session.parts, what)
+        checkChoices(session.parts, what)
+    end
+end
+
+function Tests.dialogsFit()
+    local session = open()
+    resize(1024, 768)
+    session.panel:askForFile()
+    for _, dialog in ipairs(session.panel.dialogs) do
+        dialog.window:setVisible(true)
+        checkChildren(dialog.window, dialog.window:getName())
+        checkTexts(dialog.parts, dialog.window:getName())
+        dialog.window:setVisible(false)
+    end
+end
+
+function Tests.smallestWindowHasRoomForAll()
+    local session = open({fill = false})
+    session.panel.window:setSize(CEGUI.USize(CEGUI.UDim(0, 10), CEGUI.UDim(0, 10)))
+    session:frame()
+    Expect.yes(session.panel.window:getPixelSize().width >= 860)
+    checkChildren(session.panel.root, "smallest window")
+end
+
+return Tests
