@@ -6,10 +6,7 @@
 
 namespace lodsmith::lua {
 
-GraphHandle::GraphHandle(std::unique_ptr<Graph> graph)
-    : Handle("lodsmith::GraphHandle"), mGraph(std::move(graph))
-{
-}
+GraphHandle::GraphHandle(std::unique_ptr<Graph> graph) : Handle("lodsmith::GraphHandle"), mGraph(std::move(graph)) {}
 
 GraphHandle::~GraphHandle() = default;
 

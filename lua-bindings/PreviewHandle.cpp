@@ -4,6 +4,7 @@
 #include "Constants.h"
 #include "Numbers.h"
 #include "PixelsFrom.h"
+#include "PreviewBinding.h"
 
 #include <string>
 #include <utility>
@@ -226,3 +227,12 @@ Returned PreviewHandle::redraw() const
 }
 
 } // namespace lodsmith::lua
+
+namespace lodsmith {
+
+std::unique_ptr<lua::Handle> makePreviewHandle(const std::shared_ptr<CeguiPreview>& preview)
+{
+    return std::make_unique<lua::PreviewHandle>(preview);
+}
+
+} // namespace lodsmith

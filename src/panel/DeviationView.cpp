@@ -20,8 +20,9 @@ Distances noDistances(const MeshView& mesh)
 
 bool areOf(const MeshView& mesh, const Distances& distances)
 {
-    return std::equal(mesh.vertexBuffers.begin(), mesh.vertexBuffers.end(), distances.begin(), distances.end(),
-                      [](const VertexBufferView& buffer, const auto& list) { return buffer.vertexCount == list.size(); });
+    return std::equal(
+        mesh.vertexBuffers.begin(), mesh.vertexBuffers.end(), distances.begin(), distances.end(),
+        [](const VertexBufferView& buffer, const auto& list) { return buffer.vertexCount == list.size(); });
 }
 
 /// What one vertex in twenty of those that are off is beyond: the greatest distance of all may be that of a single vertex, next to

@@ -46,8 +46,8 @@ std::vector<Ogre::Vector3> normalsOf(const MeshView& mesh, std::uint32_t buffer)
 Ogre::ColourValue heatColour(float share)
 {
     using Colour = Ogre::ColourValue;
-    static const Colour kColours[] = {
-        Colour(0.10f, 0.25f, 0.95f), Colour(0.10f, 0.80f, 0.25f), Colour(0.98f, 0.90f, 0.10f), Colour(0.95f, 0.10f, 0.05f)};
+    static const Colour kColours[] = {Colour(0.10f, 0.25f, 0.95f), Colour(0.10f, 0.80f, 0.25f),
+                                      Colour(0.98f, 0.90f, 0.10f), Colour(0.95f, 0.10f, 0.05f)};
     const float place = 3 * std::clamp(share, 0.0f, 1.0f);
     const int below = std::min(static_cast<int>(place), 2);
     const float above = place - static_cast<float>(below);

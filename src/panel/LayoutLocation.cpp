@@ -7,6 +7,8 @@
 
 #include <OgreResourceGroupManager.h>
 
+#include <exception>
+
 namespace lodsmith {
 
 namespace {
@@ -43,11 +45,15 @@ LayoutLocation::LayoutLocation(const std::filesystem::path& directory)
 
 LayoutLocation::~LayoutLocation()
 {
-    CEGUI::WindowManager::setDefaultResourceGroup(mBefore);
-    if (auto* files = plainFiles())
-        files->clearResourceGroupDirectory(kGroup);
-    else
-        Ogre::ResourceGroupManager::getSingleton().destroyResourceGroup(kGroup);
+    try {
+        CEGUI::WindowManager::setDefaultResourceGroup(mBefore);
+        if (auto* files = plainFiles())
+            files->clearResourceGroupDirectory(kGroup);
+        else
+            Ogre::ResourceGroupManager::getSingleton().destroyResourceGroup(kGroup);
+    } catch (const std::exception&) {
+        return; // no memory for a name: there is none for a message either
+    }
 }
 
 } // namespace lodsmith

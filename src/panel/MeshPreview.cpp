@@ -38,7 +38,8 @@ std::string nextName()
 /// The scene of a preview: light that comes with the camera, and a node for what is looked at.
 struct Stage {
     explicit Stage(const std::string& name)
-        : scene(*Ogre::Root::getSingleton().createSceneManager(Ogre::DefaultSceneManagerFactory::FACTORY_TYPE_NAME, name)),
+        : scene(
+            *Ogre::Root::getSingleton().createSceneManager(Ogre::DefaultSceneManagerFactory::FACTORY_TYPE_NAME, name)),
           cameraNode(*scene.getRootSceneNode()->createChildSceneNode()),
           subject(*scene.getRootSceneNode()->createChildSceneNode()), camera(*scene.createCamera(name))
     {

@@ -71,8 +71,8 @@ void OrbitCamera::orbit(float dx, float dy)
 
 void OrbitCamera::pan(float dx, float dy, float viewportHeight)
 {
-    const float unitsPerPixel
-        = 2 * mDistance * std::tan(mCamera.getFOVy().valueRadians() / 2) / std::max(viewportHeight, 1.0f);
+    const float unitsPerPixel =
+        2 * mDistance * std::tan(mCamera.getFOVy().valueRadians() / 2) / std::max(viewportHeight, 1.0f);
     const Ogre::Vector3 way(-limited(dx, kMaxPixels) * unitsPerPixel, limited(dy, kMaxPixels) * unitsPerPixel, 0);
     const Ogre::Vector3 target = mTarget + mNode.getOrientation() * way;
     if ((target - mCentre).length() <= maxDistance())

@@ -1,7 +1,7 @@
 #include "PanelScript.h"
 
 #include "CeguiPreview.h"
-#include "PreviewHandle.h"
+#include "PreviewBinding.h"
 
 #include <lodsmith/lua/Binding.h>
 
@@ -119,7 +119,7 @@ Result<std::unique_ptr<PanelScript>> PanelScript::open(const PanelHost& host, co
     std::unique_ptr<PanelScript> script(new PanelScript(host, preview));
     lua::Table fields;
     if (preview)
-        fields.set("preview", std::make_unique<lua::PreviewHandle>(preview));
+        fields.set("preview", makePreviewHandle(preview));
     Opening opening{script.get(), directory.c_str(), &fields};
     const auto opened = runProtected(host.lua, openInLua, &opening);
     if (!opened)

@@ -15,15 +15,13 @@ std::size_t trianglesOf(Ogre::Renderable& part)
 {
     Ogre::RenderOperation operation;
     part.getRenderOperation(operation);
-    const std::size_t count = operation.useIndexes ? operation.indexData->indexCount : operation.vertexData->vertexCount;
+    const std::size_t count =
+        operation.useIndexes ? operation.indexData->indexCount : operation.vertexData->vertexCount;
     switch (operation.operationType) {
-    case Ogre::RenderOperation::OT_TRIANGLE_LIST:
-        return count / 3;
+    case Ogre::RenderOperation::OT_TRIANGLE_LIST: return count / 3;
     case Ogre::RenderOperation::OT_TRIANGLE_STRIP:
-    case Ogre::RenderOperation::OT_TRIANGLE_FAN:
-        return count > 2 ? count - 2 : 0;
-    default:
-        return 0;
+    case Ogre::RenderOperation::OT_TRIANGLE_FAN: return count > 2 ? count - 2 : 0;
+    default: return 0;
     }
 }
 
@@ -85,8 +83,8 @@ void PreviewDrawing::preRenderQueues()
     if (mPicture.compare != CompareMode::Wipe)
         return;
     const long edge = mPicture.edge, width = mTarget->width(), height = mTarget->height();
-    Ogre::Root::getSingleton().getRenderSystem()->setScissorTest(
-        true, mPart == 0 ? Ogre::Rect(0, 0, edge, height) : Ogre::Rect(edge, 0, width, height));
+    Ogre::Root::getSingleton().getRenderSystem()->setScissorTest(true, mPart == 0 ? Ogre::Rect(0, 0, edge, height)
+                                                                                  : Ogre::Rect(edge, 0, width, height));
 }
 
 void PreviewDrawing::postRenderQueues()

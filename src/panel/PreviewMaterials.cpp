@@ -58,8 +58,7 @@ bool has(const Ogre::VertexData* vertices, Ogre::VertexElementSemantic semantic)
 
 bool isSeenFromBothSides(const Ogre::Technique* technique)
 {
-    return technique && technique->getNumPasses() > 0
-           && technique->getPass(0)->getCullingMode() == Ogre::CULL_NONE;
+    return technique && technique->getNumPasses() > 0 && technique->getPass(0)->getCullingMode() == Ogre::CULL_NONE;
 }
 
 /// Whether OGRE put it in the place of a material that is missing or cannot be used.

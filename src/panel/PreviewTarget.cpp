@@ -88,9 +88,9 @@ void PreviewTarget::makeViewports()
         return (static_cast<float>(pixels) + 0.5f) / static_cast<float>(all);
     };
     const auto add = [&](int number, unsigned left, unsigned width) {
-        Ogre::Viewport* viewport = mTarget->addViewport(&mCamera, number, share(left, mTexture->getWidth()), 0,
-                                                        share(width, mTexture->getWidth()),
-                                                        share(mHeight, mTexture->getHeight()));
+        Ogre::Viewport* viewport =
+            mTarget->addViewport(&mCamera, number, share(left, mTexture->getWidth()), 0,
+                                 share(width, mTexture->getWidth()), share(mHeight, mTexture->getHeight()));
         viewport->setBackgroundColour(kBackground);
         viewport->setOverlaysEnabled(false);
         viewport->setShadowsEnabled(false);
@@ -102,8 +102,8 @@ void PreviewTarget::makeViewports()
         add(1, half, mWidth - half);
     if (mCompare == CompareMode::Wipe)
         mViewports[1]->setClearEveryFrame(true, Ogre::FBT_DEPTH);
-    const float aspect = static_cast<float>(mViewports[0]->getActualWidth())
-                         / static_cast<float>(mViewports[0]->getActualHeight());
+    const float aspect =
+        static_cast<float>(mViewports[0]->getActualWidth()) / static_cast<float>(mViewports[0]->getActualHeight());
     // What fits into the whole picture fits into a narrow half of it.
     const float up = std::tan(kFieldOfView / 2) / (halves ? std::min(aspect, 1.0f) : 1.0f);
     mCamera.setAspectRatio(aspect);

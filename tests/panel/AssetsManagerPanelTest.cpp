@@ -209,7 +209,8 @@ TEST_F(AssetsManagerPanelTest, BrokenScriptsAreErrors)
         {"return {open = function() error('on opening') end}", "on opening"},
         {"return {open = function() return 7 end}", "table expected"},
         {"return {}", "call"},
-        {"return {open = function() CEGUI.WindowManager:getSingleton():loadLayoutFromFile('none.layout') end}", "none.layout"},
+        {"return {open = function() CEGUI.WindowManager:getSingleton():loadLayoutFromFile('none.layout') end}",
+         "none.layout"},
     };
     for (const auto& [script, message] : scripts) {
         EXPECT_EQ(mProgram.run("package.loaded.AssetsManager = nil"), "");

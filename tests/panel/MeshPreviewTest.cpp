@@ -119,10 +119,10 @@ TEST_F(MeshPreviewTest, ModesPaintDifferently)
 {
     show(model("cottage"));
     std::vector<Picture> pictures;
-    for (const auto& [mode, name] : {std::pair(ViewMode::Shaded, "mode-shaded"), std::pair(ViewMode::Flat, "mode-flat"),
-                                     std::pair(ViewMode::Wireframe, "mode-wireframe"),
-                                     std::pair(ViewMode::Checker, "mode-checker"),
-                                     std::pair(ViewMode::Deviation, "mode-deviation")}) {
+    for (const auto& [mode, name] :
+         {std::pair(ViewMode::Shaded, "mode-shaded"), std::pair(ViewMode::Flat, "mode-flat"),
+          std::pair(ViewMode::Wireframe, "mode-wireframe"), std::pair(ViewMode::Checker, "mode-checker"),
+          std::pair(ViewMode::Deviation, "mode-deviation")}) {
         mPreview->setMode(mode);
         mPreview->setLevel(2);
         finish();
@@ -198,7 +198,8 @@ TEST_F(MeshPreviewTest, ExtremeDragsHarmNothing)
     picture();
     mPreview->zoom(-1e30f);
     EXPECT_EQ(covered(picture()), 0u); // a speck, beyond a million radii
-    for (const float much : {1e30f, -1e30f, std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
+    for (const float much :
+         {1e30f, -1e30f, std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
         mPreview->orbit(much, much);
         mPreview->pan(much, much);
         mPreview->zoom(much);

@@ -188,7 +188,9 @@ TEST_F(PanelWindowTest, ScriptsHaveAllOfThePreview)
 TEST_F(PanelWindowTest, IsBusyWhileSomethingMovesOrIsMeasured)
 {
     open();
-    ASSERT_EQ(run("mesh = assert(lodsmith.openMesh('" LODSMITH_MEDIA_DIR "/drake/drake.mesh')) lodsmith.preview:show(mesh)"), "");
+    ASSERT_EQ(
+        run("mesh = assert(lodsmith.openMesh('" LODSMITH_MEDIA_DIR "/drake/drake.mesh')) lodsmith.preview:show(mesh)"),
+        "");
     MeshPreview& preview = *mPanel->preview();
     EXPECT_FALSE(mPanel->isBusy());
     ASSERT_TRUE(preview.play(preview.animations().front()));

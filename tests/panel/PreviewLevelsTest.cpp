@@ -285,8 +285,7 @@ TEST_P(PreviewSwitchTest, LevelAppearsJustThere)
 
 INSTANTIATE_TEST_SUITE_P(Ogre, PreviewSwitchTest,
                          testing::Values(Strategy{"distance_sphere", 40}, Strategy{"distance_box", 25},
-                                         Strategy{"pixel_count", 9000},
-                                         Strategy{"screen_ratio_pixel_count", 0.05}),
+                                         Strategy{"pixel_count", 9000}, Strategy{"screen_ratio_pixel_count", 0.05}),
                          [](const auto& strategy) { return strategy.param.name; });
 
 TEST_F(PreviewLevelsTest, ViewAtDistanceIsThatDistance)
@@ -309,8 +308,8 @@ TEST_F(PreviewLevelsTest, ViewAtNowhereIsAnErrorAndMovesNothing)
 {
     show(makeOgreMesh("ball", makeIcosphere(3)));
     const float distance = mPreview->distance();
-    for (const double value : {0.0, -5.0, 1e30, std::numeric_limits<double>::quiet_NaN(),
-                               std::numeric_limits<double>::infinity(), 1e12}) {
+    for (const double value :
+         {0.0, -5.0, 1e30, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e12}) {
         const auto seen = mPreview->viewAt("distance_sphere", value);
         ASSERT_FALSE(seen) << value;
         EXPECT_EQ(seen.error().code, ErrorCode::InvalidSetting);
