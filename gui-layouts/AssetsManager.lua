@@ -1,17 +1,17 @@
 -- The assets manager panel: opens the parts, joins them, and hands the frames on.
 
-local DefinitionPane = require("DefinitionPane")
-local FileDialog = require("FileDialog")
-local GraphPane = require("GraphPane")
-local Guard = require("Guard")
-local Keyboard = require("Keyboard")
-local Kit = require("Kit")
-local LevelsPane = require("LevelsPane")
-local LodState = require("LodState")
-local MeshPane = require("MeshPane")
-local PreviewPane = require("PreviewPane")
-local Prompt = require("Prompt")
-local Question = require("Question")
+local DefinitionPane = require("lodsmith.gui.DefinitionPane")
+local FileDialog = require("lodsmith.gui.FileDialog")
+local GraphPane = require("lodsmith.gui.GraphPane")
+local Guard = require("lodsmith.gui.Guard")
+local Keyboard = require("lodsmith.gui.Keyboard")
+local Kit = require("lodsmith.gui.Kit")
+local LevelsPane = require("lodsmith.gui.LevelsPane")
+local LodState = require("lodsmith.gui.LodState")
+local MeshPane = require("lodsmith.gui.MeshPane")
+local PreviewPane = require("lodsmith.gui.PreviewPane")
+local Prompt = require("lodsmith.gui.Prompt")
+local Question = require("lodsmith.gui.Question")
 
 local Panel = {}
 Panel.__index = Panel
@@ -27,8 +27,7 @@ end
 -- Opens the panel and returns it; lodsmith.panel is the open one. An error when there is one, or a layout is missing.
 -- options: {parent = window or nil for the root window; fill = true: it fills the parent, else it is a window in it;
 --           preview = lodsmith.preview or nil;
---           host = {canOpen = true: files may be opened; recentFiles = function() -> paths; opened = function(path);
---           quit = function(), for Ctrl+Q} or nil}
+--           host = {canOpen = true: files may be opened; recentFiles = function() -> paths; opened = function(path)} or nil}
 local function open(options)
     if lodsmith.panel then
         error("the panel is open", 0)
@@ -109,11 +108,6 @@ function Panel:makeDialogs(parent)
     if host.canOpen then
         self.keyboard:shortcut(CEGUI.Key.O, true, function()
             self:askForFile()
-        end, true)
-    end
-    if host.quit then
-        self.keyboard:shortcut(CEGUI.Key.Q, true, function()
-            self:askToLeave(host.quit)
         end, true)
     end
 end

@@ -1,9 +1,9 @@
 -- The definition's settings and those of the selected level.
 
-local Field = require("Field")
-local Numbers = require("Numbers")
-local SliderScale = require("SliderScale")
-local Words = require("Words")
+local Field = require("lodsmith.gui.Field")
+local Numbers = require("lodsmith.gui.Numbers")
+local SliderScale = require("lodsmith.gui.SliderScale")
+local Words = require("lodsmith.gui.Words")
 
 local DefinitionPane = {}
 DefinitionPane.__index = DefinitionPane

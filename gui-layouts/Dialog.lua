@@ -1,6 +1,6 @@
 -- A window that has to be answered before anything else: modal, with keys of its own.
 
-local Keyboard = require("Keyboard")
+local Keyboard = require("lodsmith.gui.Keyboard")
 
 local Dialog = {}
 Dialog.__index = Dialog

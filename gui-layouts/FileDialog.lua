@@ -1,6 +1,6 @@
 -- Chooses a mesh file: directories to walk through, and the files that were opened last.
 
-local Dialog = require("Dialog")
+local Dialog = require("lodsmith.gui.Dialog")
 
 local FileDialog = {}
 FileDialog.__index = FileDialog

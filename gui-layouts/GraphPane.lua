@@ -1,8 +1,8 @@
 -- The graph of deviation against triangles in the definition's pane, with the levels as marks.
 
-local GraphScale = require("GraphScale")
-local LevelFigures = require("LevelFigures")
-local Numbers = require("Numbers")
+local GraphScale = require("lodsmith.gui.GraphScale")
+local LevelFigures = require("lodsmith.gui.LevelFigures")
+local Numbers = require("lodsmith.gui.Numbers")
 
 local GraphPane = {}
 GraphPane.__index = GraphPane

@@ -1,7 +1,7 @@
 -- The panel's way to CEGUI: layouts by name, guarded handlers, and widgets that are set without their events being
 -- taken for the artist's.
 
-local Skin = require("Skin")
+local Skin = require("lodsmith.gui.Skin")
 
 local Kit = {}
 Kit.__index = Kit

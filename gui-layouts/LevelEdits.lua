@@ -1,7 +1,7 @@
 -- LodState's input functions: what an artist does to the definition and its levels. No CEGUI in here.
 
-local Numbers = require("Numbers")
-local SwitchValues = require("SwitchValues")
+local Numbers = require("lodsmith.gui.Numbers")
+local SwitchValues = require("lodsmith.gui.SwitchValues")
 
 local LevelEdits = {}
 

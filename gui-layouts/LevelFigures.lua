@@ -1,7 +1,7 @@
 -- LodState's figures: what the levels are now, how far they are from the mesh, and the curve of deviation against
 -- triangles. Measuring waits until nothing is generated and nothing was edited for a while. No CEGUI in here.
 
-local Numbers = require("Numbers")
+local Numbers = require("lodsmith.gui.Numbers")
 
 local LevelFigures = {}
 

@@ -1,7 +1,7 @@
 -- The list of levels, and add, delete, copy and paste.
 
-local Numbers = require("Numbers")
-local Words = require("Words")
+local Numbers = require("lodsmith.gui.Numbers")
+local Words = require("lodsmith.gui.Words")
 
 local LevelsPane = {}
 LevelsPane.__index = LevelsPane

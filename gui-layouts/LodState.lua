@@ -3,12 +3,12 @@
 -- reason, and has then changed nothing. Listeners hear of "mesh", "definition", "figures", "curve", "progress",
 -- "message" and "question".
 
-local Scheduler = require("Scheduler")
+local Scheduler = require("lodsmith.gui.Scheduler")
 
 local LodState = {}
 LodState.__index = LodState
 for _, part in ipairs({"LevelEdits", "LevelFigures"}) do
-    for name, method in pairs(require(part)) do
+    for name, method in pairs(require("lodsmith.gui." .. part)) do
         LodState[name] = method
     end
 end

@@ -1,6 +1,6 @@
 -- The list of meshes, and what there is to know of the one that was chosen.
 
-local Numbers = require("Numbers")
+local Numbers = require("lodsmith.gui.Numbers")
 
 local MeshPane = {}
 MeshPane.__index = MeshPane

@@ -1,7 +1,7 @@
 -- The mesh as it is drawn: view, level, comparison, animation, and the mouse in it.
 
-local Numbers = require("Numbers")
-local Words = require("Words")
+local Numbers = require("lodsmith.gui.Numbers")
+local Words = require("lodsmith.gui.Words")
 
 local PreviewPane = {}
 PreviewPane.__index = PreviewPane

@@ -1,6 +1,6 @@
 -- Asks for a value, and says beside the box what is wrong with it.
 
-local Dialog = require("Dialog")
+local Dialog = require("lodsmith.gui.Dialog")
 
 local Prompt = {}
 Prompt.__index = Prompt

@@ -1,6 +1,6 @@
 -- Asks what to do with unsaved changes.
 
-local Dialog = require("Dialog")
+local Dialog = require("lodsmith.gui.Dialog")
 
 local Question = {}
 Question.__index = Question

@@ -1,6 +1,6 @@
 -- From a slider's position, 0 to 1, to the amount of a reduction method, and back. No CEGUI in here.
 
-local Numbers = require("Numbers")
+local Numbers = require("lodsmith.gui.Numbers")
 
 local SliderScale = {}
 

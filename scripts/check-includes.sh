@@ -34,5 +34,7 @@ check files 'core|files' 'fcntl\.h|unistd\.h|sys/[a-z]+\.h'
 check loddef 'core|files|loddef' 'tinyxml2\.h'
 check cache 'core|files|cache' 'xxhash\.h'
 check ogre 'core|analysis|files|loddef|cache|ogre' 'Ogre[A-Za-z]*\.h|meshoptimizer\.h|sigc\+\+/[a-z_]+\.h'
+check panel 'core|analysis|loddef|ogre|lua|panel' 'Ogre[A-Za-z]*\.h|CEGUI/.*|lua\.hpp|tolua\+\+\.h|dlfcn\.h'
+check editor 'core|files|ogre|lua|panel|editor' 'Ogre[A-Za-z]*\.h|CEGUI/.*|lua\.hpp|SDL(_syswm)?\.h|CLI/CLI\.hpp|nlohmann/json\.hpp'
 check samples 'core|ogre|samples' 'CLI/CLI\.hpp|Ogre[A-Za-z]*\.h'
 exit "$status"

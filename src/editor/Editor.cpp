@@ -108,7 +108,8 @@ bool Editor::isBusy() const
 
 void Editor::handle(const SDL_Event& event)
 {
-    if (event.type == SDL_QUIT)
+    const SDL_Keycode key = event.type == SDL_KEYDOWN ? event.key.keysym.sym : SDL_Keycode(SDLK_UNKNOWN);
+    if (event.type == SDL_QUIT || (key == SDLK_q && (event.key.keysym.mod & KMOD_CTRL)))
         return runInPanel("lodsmith.panel:askToLeave(function() lodsmith.editor:quit() end)");
     if (event.type == SDL_DROPFILE) {
         runInPanel("lodsmith.panel:open(...)", event.drop.file);
@@ -119,7 +120,7 @@ void Editor::handle(const SDL_Event& event)
         mWindow.resized();
         mGui.resized(event.window.data1, event.window.data2);
     }
-    if (event.type == SDL_KEYDOWN && event.key.keysym.sym == SDLK_F12)
+    if (key == SDLK_F12)
         return takeScreenshot();
     try {
         mGui.handle(event);

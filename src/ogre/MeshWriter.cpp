@@ -270,6 +270,17 @@ void replaceLevelZero(Ogre::SubMesh& subMesh, const Ogre::IndexData& list)
     subMesh.operationType = Ogre::RenderOperation::OT_TRIANGLE_LIST;
 }
 
+/// OGRE makes the entities of hand-made levels anew, and tells them of the node only when the entity itself comes to one.
+void initialiseAgain(Ogre::Entity& entity)
+{
+    entity._initialise(true);
+    if (Ogre::Node* const node = entity.getParentNode()) {
+        const bool isBone = entity.isParentTagPoint();
+        entity._notifyAttached(nullptr);
+        entity._notifyAttached(node, isBone);
+    }
+}
+
 void attach(const LodConfig& config, const LodPlan& plan, PreparedLevels prepared)
 {
     Ogre::Mesh& mesh = *config.mesh;
@@ -298,7 +309,7 @@ void attach(const LodConfig& config, const LodPlan& plan, PreparedLevels prepare
     if (config.reinitialiseEntities && mesh.hasManualLodLevel())
         for (Ogre::Entity* entity : livingEntities(mesh))
             if (entity->isInitialised())
-                entity->_initialise(true);
+                initialiseAgain(*entity);
 }
 
 } // namespace

@@ -46,6 +46,8 @@ void Canvas::blend(unsigned x, unsigned y, float coverage, const Rgba& colour)
 
 void Canvas::line(float fromX, float fromY, float toX, float toY, float thickness, const Rgba& colour)
 {
+    if (!std::isfinite(fromX + fromY + toX + toY + thickness))
+        return;
     const float reach = thickness / 2 + 0.5f;
     const auto [left, right] = pixelsOf(std::min(fromX, toX) - reach, std::max(fromX, toX) + reach, mWidth);
     const auto [top, bottom] = pixelsOf(std::min(fromY, toY) - reach, std::max(fromY, toY) + reach, mHeight);

@@ -25,7 +25,7 @@ public:
     Rgba pixel(unsigned x, unsigned y) const { return mPixels[std::size_t(y) * mWidth + x]; }
 
     void fill(const Rgba& colour);
-    /// A line with round ends, `thickness` pixels, smoothed.
+    /// A line with round ends, `thickness` pixels, smoothed. Nothing for coordinates that are no numbers.
     void line(float fromX, float fromY, float toX, float toY, float thickness, const Rgba& colour);
     /// A filled circle, smoothed.
     void disc(float x, float y, float radius, const Rgba& colour) { line(x, y, x, y, 2 * radius, colour); }

@@ -7,6 +7,7 @@
 
 #include <exception>
 #include <lua.hpp>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,7 @@ namespace lodsmith {
 
 namespace {
 
+constexpr std::string_view kModulePrefix = "lodsmith.gui.";
 constexpr const char* kWindowType = "CEGUI::Window";
 
 std::string takeMessage(lua_State* state)
@@ -60,21 +62,41 @@ int findCegui(lua_State* state)
     return 0;
 }
 
-/// `package.path` with the directory in front.
-void prependPath(lua_State* state, const char* directory)
+/// Finds "lodsmith.gui.NAME" as NAME.lua in the directory that is its upvalue, so that the panel's modules and the program's may have the
+/// same names. For package.loaders. May raise a Lua error.
+int findModule(lua_State* state)
 {
-    lua_getglobal(state, "package");
-    lua_getfield(state, -1, "path");
-    lua_pushfstring(state, "%s/?.lua;%s", directory, lua_tostring(state, -1));
-    lua_setfield(state, -3, "path");
-    lua_pop(state, 2);
+    const std::string_view name = luaL_checkstring(state, 1);
+    if (name.substr(0, kModulePrefix.size()) != kModulePrefix)
+        return 0;
+    lua_pushfstring(state, "%s/%s.lua", lua_tostring(state, lua_upvalueindex(1)), name.data() + kModulePrefix.size());
+    if (luaL_loadfile(state, lua_tostring(state, -1)) != 0)
+        return lua_error(state);
+    return 1;
 }
 
-void setPath(lua_State* state, int path)
+/// Leaves the table package.loaders.
+void pushLoaders(lua_State* state)
 {
     lua_getglobal(state, "package");
-    lua_pushvalue(state, path);
-    lua_setfield(state, -2, "path");
+    lua_getfield(state, -1, "loaders");
+    lua_remove(state, -2);
+}
+
+void addLoader(lua_State* state, const char* directory)
+{
+    pushLoaders(state);
+    lua_pushstring(state, directory);
+    lua_pushcclosure(state, findModule, 1);
+    lua_rawseti(state, -2, int(lua_objlen(state, -2)) + 1);
+    lua_pop(state, 1);
+}
+
+void removeLoader(lua_State* state)
+{
+    pushLoaders(state);
+    lua_pushnil(state);
+    lua_rawseti(state, -2, int(lua_objlen(state, -2)));
     lua_pop(state, 1);
 }
 
@@ -137,20 +159,17 @@ PanelScript::~PanelScript()
 int PanelScript::openInLua(lua_State* state)
 {
     const auto* opening = static_cast<const Opening*>(lua_touserdata(state, 1));
-    lua_getglobal(state, "package");
-    lua_getfield(state, -1, "path");
-    const int pathBefore = lua_gettop(state);
     tolua_Panel_open(state);
-    lua_settop(state, pathBefore);
+    lua_settop(state, 1);
     lua_getglobal(state, "lodsmith");
     opening->fields->push(state);
     lua_getfield(state, -1, "preview");
     lua_setfield(state, -3, "preview");
-    prependPath(state, opening->directory);
+    addLoader(state, opening->directory);
     lua_getglobal(state, "require");
-    lua_pushliteral(state, "AssetsManager");
+    lua_pushliteral(state, "lodsmith.gui.AssetsManager");
     const int failed = lua_pcall(state, 1, 1, 0);
-    setPath(state, pathBefore);
+    removeLoader(state);
     if (failed != 0)
         return lua_error(state);
     lua_getfield(state, -1, "open");

@@ -102,10 +102,18 @@ std::vector<std::string> skins()
 
 void addModulePaths(lua_State* lua)
 {
-    lua_getglobal(lua, "package");
-    lua_pushstring(lua, LODSMITH_GUI_LAYOUTS "/?.lua;" LODSMITH_GUI_TESTS "/?.lua");
-    lua_setfield(lua, -2, "path");
-    lua_pop(lua, 1);
+    // As the panel does it when it opens.
+    constexpr const char* kFind = R"(
+        local panel, tests = ...
+        package.path = tests .. "/?.lua"
+        table.insert(package.loaders, function(name)
+            local module = name:match("^lodsmith%.gui%.(%w+)$")
+            return module and assert(loadfile(panel .. "/" .. module .. ".lua"))
+        end))";
+    luaL_loadstring(lua, kFind);
+    lua_pushstring(lua, LODSMITH_GUI_LAYOUTS);
+    lua_pushstring(lua, LODSMITH_GUI_TESTS);
+    lua_call(lua, 2, 0);
 }
 
 } // namespace lodsmith::test

@@ -19,7 +19,7 @@ function PanelSession.open(options)
         end
     end
     lodsmith = self.api
-    self.panel = require("AssetsManager").open({
+    self.panel = require("lodsmith.gui.AssetsManager").open({
         fill = options.fill ~= false, preview = self.preview, host = options.host or {canOpen = true},
     })
     self.state = self.panel.state

@@ -8,7 +8,7 @@ local SECONDS = 60
 
 function ProgramSession.open()
     local self = setmetatable({api = lodsmith, parts = {}}, ProgramSession)
-    self.panel = require("AssetsManager").open({fill = true, host = {canOpen = true}})
+    self.panel = require("lodsmith.gui.AssetsManager").open({fill = true, host = {canOpen = true}})
     self.state = self.panel.state
     for _, part in ipairs({self.panel, unpack(self.panel.panes)}) do
         self:take(part.parts or {})

@@ -122,4 +122,14 @@ TEST_F(MeshFilesTest, MaterialsBesideTheMeshAreRead)
     EXPECT_TRUE(Ogre::MaterialManager::getSingleton().getByName("beside", mesh->getGroup()));
 }
 
+TEST_F(MeshFilesTest, RealMeshesAreOpened)
+{
+    if (std::string(LODSMITH_EXTRA_MEDIA).empty())
+        GTEST_SKIP() << "LODSMITH_EXTRA_MEDIA is empty";
+    for (const auto& entry : fs::recursive_directory_iterator(LODSMITH_EXTRA_MEDIA))
+        if (entry.path().extension() == ".mesh") {
+            EXPECT_EQ("no error", errorOf(entry.path())) << entry.path();
+        }
+}
+
 } // namespace lodsmith::test

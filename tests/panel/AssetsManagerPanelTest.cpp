@@ -149,11 +149,11 @@ TEST_F(AssetsManagerPanelTest, ErrorInAScriptIsToldOnceAndThePanelLivesOn)
 
 TEST_F(AssetsManagerPanelTest, LeavesNothingBehind)
 {
-    const std::string path = mProgram.evaluate("package.path");
+    const std::string loaders = mProgram.evaluate("#package.loaders");
     const CEGUI::String group = CEGUI::WindowManager::getDefaultResourceGroup();
     auto panel = open(host());
     ASSERT_TRUE(panel);
-    EXPECT_EQ(mProgram.evaluate("package.path"), path);
+    EXPECT_EQ(mProgram.evaluate("#package.loaders"), loaders);
     EXPECT_EQ(CEGUI::WindowManager::getDefaultResourceGroup(), group);
     EXPECT_EQ(mProgram.run("host = lodsmith.panel.options.host; kept = lodsmith.manager"), "");
     panel.reset();
@@ -213,7 +213,7 @@ TEST_F(AssetsManagerPanelTest, BrokenScriptsAreErrors)
          "none.layout"},
     };
     for (const auto& [script, message] : scripts) {
-        EXPECT_EQ(mProgram.run("package.loaded.AssetsManager = nil"), "");
+        EXPECT_EQ(mProgram.run("package.loaded['lodsmith.gui.AssetsManager'] = nil"), "");
         mDirectory.write("AssetsManager.lua", script);
         const Error error = errorOf(host());
         EXPECT_EQ(error.code, ErrorCode::BadFile) << script;

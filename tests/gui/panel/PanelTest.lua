@@ -192,7 +192,7 @@ end
 function Tests.thereIsOnePanelAtMost()
     local session = open()
     Expect.equal(session.api.panel, session.panel)
-    local opened, message = pcall(require("AssetsManager").open, {fill = true})
+    local opened, message = pcall(require("lodsmith.gui.AssetsManager").open, {fill = true})
     Expect.refused("the panel is open", opened, message)
 end
 
@@ -228,21 +228,6 @@ function Tests.closingTheWindowAsks()
     closeWindow()
     Hand.click(session.parts.Second)
     Expect.equal(session.api.panel, nil)
-end
-
-function Tests.quitAsksTheHost()
-    local left = 0
-    local session = open({host = {quit = function() left = left + 1 end}}):withLevels(20)
-    Hand.key(CEGUI.Key.Q, "control")
-    Expect.equal(left, 1)
-    session.state:setAmount("0.9")
-    Hand.key(CEGUI.Key.Q, "control")
-    Expect.equal(left, 1)
-    Hand.key(CEGUI.Key.Escape)
-    Expect.equal(left, 1)
-    Hand.key(CEGUI.Key.Q, "control")
-    Hand.click(session.parts.Second)
-    Expect.equal(left, 2)
 end
 
 function Tests.everyControlHasATooltip()

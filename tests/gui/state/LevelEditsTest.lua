@@ -1,6 +1,6 @@
 local Expect = require("Expect")
 local FakeLodsmith = require("FakeLodsmith")
-local LodState = require("LodState")
+local LodState = require("lodsmith.gui.LodState")
 
 local function make(...)
     local api = FakeLodsmith.new()

@@ -1,5 +1,5 @@
 local Expect = require("Expect")
-local Numbers = require("Numbers")
+local Numbers = require("lodsmith.gui.Numbers")
 
 local Tests = {}
 

@@ -1,7 +1,7 @@
 local Expect = require("Expect")
-local GraphScale = require("GraphScale")
-local SliderScale = require("SliderScale")
-local SwitchValues = require("SwitchValues")
+local GraphScale = require("lodsmith.gui.GraphScale")
+local SliderScale = require("lodsmith.gui.SliderScale")
+local SwitchValues = require("lodsmith.gui.SwitchValues")
 
 local methods = {Proportional = 1, Constant = 2, Triangles = 3, Deviation = 4, CollapseCost = 5}
 local strategies = {DistanceSphere = 1, DistanceBox = 2, PixelCount = 3, ScreenRatioPixelCount = 4}

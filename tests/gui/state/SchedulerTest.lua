@@ -1,5 +1,5 @@
 local Expect = require("Expect")
-local Scheduler = require("Scheduler")
+local Scheduler = require("lodsmith.gui.Scheduler")
 
 local mesh = {}
 function mesh:equals(other)
