@@ -1,7 +1,7 @@
 #include "Analysis.h"
 
 #include "Definition.h"
-#include "Numbers.h"
+#include <lodsmith/lua/Numbers.h>
 
 #include <cmath>
 #include <utility>

@@ -1,7 +1,7 @@
 #include "Definition.h"
 
 #include "Level.h"
-#include "Numbers.h"
+#include <lodsmith/lua/Numbers.h>
 
 #include <lodsmith/loddef/LoddefXml.h>
 

@@ -1,6 +1,6 @@
 #include "Level.h"
 
-#include "Numbers.h"
+#include <lodsmith/lua/Numbers.h>
 
 #include <utility>
 

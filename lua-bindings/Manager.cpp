@@ -1,5 +1,5 @@
 #include "Definition.h"
-#include "Numbers.h"
+#include <lodsmith/lua/Numbers.h>
 #include "Services.h"
 
 #include <lodsmith/ogre/LodConfig.h>

@@ -1,7 +1,7 @@
 #include "MeshInfo.h"
 
 #include "../src/ogre/TrianglesIn.h"
-#include "Numbers.h"
+#include <lodsmith/lua/Numbers.h>
 
 #include <lodsmith/ogre/MeshReader.h>
 

@@ -5,7 +5,8 @@ set -euo pipefail
 # shellcheck source=scripts/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-# check ROOM LEFT PACKAGES: LEFT and PACKAGES are extended regular expressions, the latter of whole include names.
+# check ROOM LEFT PACKAGES [FOLDER]: LEFT and PACKAGES are extended regular expressions, the latter of whole include names.
+# The room's sources are in FOLDER, else in src/ROOM.
 # The standard library's headers have neither slash nor dot and are allowed everywhere.
 cd "$root"
 status=0
@@ -15,7 +16,7 @@ check() {
         case $name in
         \"*) # A private header: of this room, or of one to its left.
             name=${name//\"/}
-            [[ $name =~ ^(\.\./($2)/)?[A-Za-z0-9]+\.h$ ]] && [ -f "$(dirname "$file")/$name" ] && continue
+            [[ $name =~ ^(\.\./(src/)?($2)/)?[A-Za-z0-9]+\.h$ ]] && [ -f "$(dirname "$file")/$name" ] && continue
             ;;
         *)
             name=${name//[<>]/}
@@ -24,7 +25,7 @@ check() {
         esac
         say "$file:$line: $room may not include $name"
         status=1
-    done < <(find "include/lodsmith/$room" "src/$room" \( -name '*.h' -o -name '*.cpp' \) -print0 2>/dev/null \
+    done < <(find "include/lodsmith/$room" "${4-src/$room}" \( -name '*.h' -o -name '*.cpp' \) -print0 2>/dev/null \
         | xargs -0 grep -HnoE '^ *#include *[<"][^>"]+[>"]' | sed -E 's/#include *//; s/: +/:/')
 }
 
@@ -34,6 +35,7 @@ check files 'core|files' 'fcntl\.h|unistd\.h|sys/[a-z]+\.h'
 check loddef 'core|files|loddef' 'tinyxml2\.h'
 check cache 'core|files|cache' 'xxhash\.h'
 check ogre 'core|analysis|files|loddef|cache|ogre' 'Ogre[A-Za-z]*\.h|meshoptimizer\.h|sigc\+\+/[a-z_]+\.h'
+check lua 'core|loddef|ogre|lua' 'Ogre[A-Za-z]*\.h|sigc\+\+/[a-z_/]+\.h|lua\.hpp|tolua\+\+\.h' lua-bindings
 check panel 'core|analysis|loddef|ogre|lua|panel' 'Ogre[A-Za-z]*\.h|CEGUI/.*|lua\.hpp|tolua\+\+\.h|dlfcn\.h'
 check editor 'core|files|ogre|lua|panel|editor' 'Ogre[A-Za-z]*\.h|CEGUI/.*|lua\.hpp|SDL(_syswm)?\.h|CLI/CLI\.hpp|nlohmann/json\.hpp'
 check samples 'core|ogre|samples' 'CLI/CLI\.hpp|Ogre[A-Za-z]*\.h'

@@ -91,14 +91,14 @@ void prepareGroup(const Ogre::String& directory, const Ogre::String& file)
         listAgain(directory, directory);
 }
 
-/// The mesh of a file by its canonical path, loaded or not.
-Ogre::MeshPtr declareMesh(const fs::path& file)
+/// The mesh of a file by its canonical path, loaded or not, and whether OGRE did not know it before.
+std::pair<Ogre::MeshPtr, bool> declareMesh(const fs::path& file)
 {
     const Ogre::String group = file.parent_path().string();
     const Ogre::String name = file.filename().string();
     prepareGroup(group, name);
-    return std::static_pointer_cast<Ogre::Mesh>(
-        Ogre::MeshManager::getSingleton().createOrRetrieve(name, group).first);
+    const auto [mesh, isNew] = Ogre::MeshManager::getSingleton().createOrRetrieve(name, group);
+    return {std::static_pointer_cast<Ogre::Mesh>(mesh), isNew};
 }
 
 std::vector<fs::path> meshFilesBelow(const fs::path& directory)
@@ -130,8 +130,7 @@ Result<Ogre::MeshPtr> openMeshFile(const fs::path& path)
     if (!fs::is_regular_file(file, error))
         return Error{ErrorCode::Io, "is no regular file", path.string()};
     return guarded(path.string(), [&]() -> Result<Ogre::MeshPtr> {
-        const bool isNew = !Ogre::MeshManager::getSingleton().getByName(file.filename(), file.parent_path());
-        const Ogre::MeshPtr mesh = declareMesh(file);
+        const auto [mesh, isNew] = declareMesh(file);
         if (Result<Done> loaded = loadMesh(mesh); !loaded) {
             if (isNew)
                 Ogre::MeshManager::getSingleton().remove(mesh);
@@ -153,7 +152,7 @@ Result<std::vector<Ogre::MeshPtr>> openMeshDirectory(const fs::path& path)
     return guarded(path.string(), [&]() -> Result<std::vector<Ogre::MeshPtr>> {
         std::vector<Ogre::MeshPtr> meshes;
         for (const fs::path& file : meshFilesBelow(directory))
-            meshes.push_back(declareMesh(file));
+            meshes.push_back(declareMesh(file).first);
         return meshes;
     });
 }

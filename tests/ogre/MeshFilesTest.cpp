@@ -122,6 +122,24 @@ TEST_F(MeshFilesTest, MaterialsBesideTheMeshAreRead)
     EXPECT_TRUE(Ogre::MaterialManager::getSingleton().getByName("beside", mesh->getGroup()));
 }
 
+TEST_F(MeshFilesTest, ADirectoryGivesAllMeshesBelowItUnloaded)
+{
+    const fs::path second = writeMesh("b.mesh");
+    const fs::path first = writeMesh("a/c.mesh");
+    writeMesh(".hidden/d.mesh");
+    mDirectory.write("text.txt", "no mesh");
+    fs::create_symlink(mDirectory / "nowhere.mesh", mDirectory / "dangling.mesh");
+    const auto meshes = openMeshDirectory(mDirectory.path());
+    ASSERT_TRUE(meshes) << describe(meshes.error());
+    ASSERT_EQ(meshes.value().size(), 2u);
+    EXPECT_EQ(meshes.value()[0]->getName(), "c.mesh");
+    EXPECT_EQ(meshes.value()[1]->getName(), "b.mesh");
+    EXPECT_FALSE(meshes.value()[0]->isLoaded());
+    EXPECT_EQ(openMeshFile(first).value(), meshes.value()[0]);
+    EXPECT_EQ(openMeshDirectory(second).error().code, ErrorCode::Io);
+    EXPECT_EQ(openMeshDirectory(mDirectory / "none").error().code, ErrorCode::NotFound);
+}
+
 TEST_F(MeshFilesTest, RealMeshesAreOpened)
 {
     if (std::string(LODSMITH_EXTRA_MEDIA).empty())

@@ -1,8 +1,8 @@
 #include "PreviewHandle.h"
 
 #include "CeguiPreview.h"
-#include "Constants.h"
-#include "Numbers.h"
+#include <lodsmith/lua/Constants.h>
+#include <lodsmith/lua/Numbers.h>
 #include "PixelsFrom.h"
 #include "PreviewBinding.h"
 
