@@ -37,14 +37,14 @@ while state:levelCount() > 0 do
 end
 assert(state:addLevel("50"))
 waitUntil(isResting)
-preview:setLevel(1)
+panel.previewPane:showLevel(1)
 
 local injected = nil
 local connection = lodsmith.queue:onInjected(function()
     injected = editor:seconds()
 end)
 local latencies, generations, works, draws = {}, {}, {}, {}
-local slider = CEGUI.toScrollbar(panel.panes[4].parts.AmountSlider)
+local slider = CEGUI.toScrollbar(panel.definitionPane.parts.AmountSlider)
 local range = slider:getDocumentSize() - slider:getPageSize()
 for move = 1, MOVES do
     local start = editor:seconds()

@@ -83,6 +83,10 @@ function Keyboard:press(key, isControl, isShift)
             return shortcut.action(isShift) ~= false
         end
     end
+    if key == Key.A and isControl and isText(control) then
+        Keyboard.selectAll(control.window)
+        return true
+    end
     if key == Key.Tab then
         self:move(isShift and -1 or 1)
         return true
@@ -113,11 +117,15 @@ function Keyboard:move(step)
     end
 end
 
+function Keyboard.selectAll(window)
+    local box = CEGUI.toEditbox(window)
+    box:setSelection(0, #box:getText())
+end
+
 function Keyboard:focus(window)
     window:activate()
     if window:getType():find("Editbox") then
-        local box = CEGUI.toEditbox(window)
-        box:setSelection(0, #box:getText())
+        Keyboard.selectAll(window)
     end
     self:frame(window)
 end

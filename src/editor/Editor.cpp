@@ -13,9 +13,11 @@ namespace lodsmith::editor {
 
 namespace {
 
-// While nothing happens, frames are drawn for tooltips and carets only.
+// While nothing happens, time passes for tooltips and carets only.
 constexpr int kIdleMilliseconds = 100;
 constexpr int kBusyMilliseconds = 2;
+// What changes by itself, as the bar of progress, is drawn no more often than that.
+constexpr double kSecondsBetweenFrames = 0.1;
 
 constexpr int kScriptFailed = 1;
 
@@ -84,21 +86,22 @@ Result<Done> Editor::openPanel()
 int Editor::run()
 {
     while (!mControl->isEnding) {
-        handleEvents();
+        const bool hadEvents = handleEvents();
         resumeScript();
-        drawFrame();
+        frame(hadEvents);
     }
     return mControl->status;
 }
 
-void Editor::handleEvents()
+bool Editor::handleEvents()
 {
     SDL_Event event;
     if (!SDL_WaitEventTimeout(&event, isBusy() ? kBusyMilliseconds : kIdleMilliseconds))
-        return;
+        return false;
     do
         handle(event);
     while (SDL_PollEvent(&event));
+    return true;
 }
 
 bool Editor::isBusy() const
@@ -154,11 +157,25 @@ void Editor::resumeScript()
     }
 }
 
-void Editor::drawFrame()
+void Editor::frame(bool hadEvents)
 {
     const auto start = Clock::now();
-    const double seconds = secondsBetween(mLastFrame, start);
-    mLastFrame = start;
+    const bool hasPicture = work();
+    const auto worked = Clock::now();
+    const bool isDue = secondsBetween(mLastDrawn, worked) > kSecondsBetweenFrames;
+    if (hadEvents || hasPicture || (isDue && mGui.hasChanged())) {
+        mRoot._updateAllRenderTargets();
+        mLastDrawn = worked;
+    }
+    mRoot._fireFrameEnded();
+    mControl->lastFrame = {secondsBetween(start, worked), secondsBetween(worked, Clock::now())};
+}
+
+bool Editor::work()
+{
+    const auto now = Clock::now();
+    const double seconds = secondsBetween(mLastFrame, now);
+    mLastFrame = now;
     try {
         mGui.advance(seconds);
     } catch (const std::exception& exception) {
@@ -166,11 +183,7 @@ void Editor::drawFrame()
     }
     // First the injector, so that this frame shows the levels that have come.
     mRoot._fireFrameStarted();
-    mPanel->update(float(seconds));
-    const auto worked = Clock::now();
-    mRoot._updateAllRenderTargets();
-    mRoot._fireFrameEnded();
-    mControl->lastFrame = {secondsBetween(start, worked), secondsBetween(worked, Clock::now())};
+    return mPanel->update(float(seconds));
 }
 
 void Editor::runInPanel(const char* code, const std::string& argument)

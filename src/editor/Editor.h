@@ -35,12 +35,15 @@ private:
     Result<Done> openPanel();
     /// Runs Lua with a string as its argument. What goes wrong is shown in the panel.
     void runInPanel(const char* code, const std::string& argument = {});
-    /// Sleeps while nothing happens, then passes on what the user did.
-    void handleEvents();
+    /// Sleeps while nothing happens, then passes on what the user did. False when that was nothing.
+    bool handleEvents();
     void handle(const SDL_Event& event);
     void takeScreenshot();
     void resumeScript();
-    void drawFrame();
+    /// Draws where something has changed: in software, drawing takes the time that generation needs.
+    void frame(bool hadEvents);
+    /// All but drawing. Whether the preview has another picture.
+    bool work();
     bool isBusy() const;
     void tell(const std::string& message);
 
@@ -55,6 +58,7 @@ private:
     std::unique_ptr<AssetsManagerPanel> mPanel;
     std::unique_ptr<Script> mScript;
     Clock::time_point mLastFrame = Clock::now();
+    Clock::time_point mLastDrawn;
 };
 
 } // namespace lodsmith::editor

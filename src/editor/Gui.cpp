@@ -153,4 +153,9 @@ void Gui::advance(double seconds)
     CEGUI::System::getSingleton().injectTimePulse(float(seconds));
 }
 
+bool Gui::hasChanged() const
+{
+    return context().isDirty();
+}
+
 } // namespace lodsmith::editor

@@ -38,6 +38,8 @@ public:
     void resized(int width, int height);
     /// Lets time pass for tooltips, carets and repeated keys.
     void advance(double seconds);
+    /// Whether something of it looks different from what was drawn last.
+    bool hasChanged() const;
 
 private:
     class Log;

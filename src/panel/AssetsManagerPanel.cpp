@@ -111,16 +111,17 @@ AssetsManagerPanel::AssetsManagerPanel(std::unique_ptr<Parts> parts) : mParts(st
 
 AssetsManagerPanel::~AssetsManagerPanel() = default;
 
-void AssetsManagerPanel::update(float seconds)
+bool AssetsManagerPanel::update(float seconds)
 {
     const Result<Done> updated = mParts->script->update(static_cast<double>(seconds));
     if (!updated)
         mParts->report(updated.error());
     if (!mParts->preview)
-        return;
+        return false;
     const Result<bool> drawn = catching([&] { return mParts->preview->preview.update(seconds); });
     if (!drawn)
         mParts->report(drawn.error());
+    return drawn && drawn.value();
 }
 
 bool AssetsManagerPanel::isOpen() const

@@ -139,10 +139,22 @@ bool EditorSession::waitFor(const std::string& condition)
 ScreenPoint EditorSession::at(const std::string& window, double right, double down)
 {
     const std::string area = ask("screenAreaOf(" + quoted(window) + ")");
+    if (area == "none")
+        throw std::runtime_error("no window \"" + window + "\" is shown");
+    return pointIn(area, right, down);
+}
+
+ScreenPoint EditorSession::middleOf(const std::string& expression)
+{
+    return pointIn(ask("areaOf(" + expression + ")"), 0.5, 0.5);
+}
+
+ScreenPoint EditorSession::pointIn(const std::string& area, double right, double down) const
+{
     std::istringstream numbers(area);
     int left = 0, top = 0, rightEdge = 0, bottom = 0;
     if (!(numbers >> left >> top >> rightEdge >> bottom))
-        throw std::runtime_error("no window \"" + window + "\" is shown (" + area + ")");
+        throw std::runtime_error("no area of a window: " + area);
     return {mWindow.x + int(left + right * (rightEdge - left)), mWindow.y + int(top + down * (bottom - top))};
 }
 

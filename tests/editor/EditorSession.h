@@ -40,6 +40,8 @@ public:
 
     /// The middle of a CEGUI window that can be seen, or another point of it in shares of its size. Its name is the last part of its path.
     ScreenPoint at(const std::string& window, double right = 0.5, double down = 0.5);
+    /// The middle of a window that a Lua expression gives.
+    ScreenPoint middleOf(const std::string& expression);
     void move(ScreenPoint to);
     void click(ScreenPoint at, int button = 1);
     void click(const std::string& window) { click(at(window)); }
@@ -67,6 +69,7 @@ private:
     void start(const std::vector<std::string>& arguments);
     void run(const std::string& command) const;
     void findWindow();
+    ScreenPoint pointIn(const std::string& area, double right, double down) const;
 
     VirtualDisplay mDisplay;
     TestDirectory mDirectory;

@@ -29,9 +29,11 @@ function screenAreaOf(name)
         return nil
     end
     local window = find(CEGUI.System:getSingleton():getDefaultGUIContext():getRootWindow())
-    if not window then
-        return "none"
-    end
+    return window and areaOf(window) or "none"
+end
+
+--- As screenAreaOf(), for a CEGUI window.
+function areaOf(window)
     local area = window:getUnclippedOuterRect():get()
     return string.format("%d %d %d %d", area:left(), area:top(), area:right(), area:bottom())
 end

@@ -72,8 +72,10 @@ public:
     AssetsManagerPanel(const AssetsManagerPanel&) = delete;
     AssetsManagerPanel& operator=(const AssetsManagerPanel&) = delete;
 
+    /// Returns whether the preview has another picture, which CEGUI does not know of: for programs that draw only when
+    /// something has changed.
     /// @param seconds since the last call
-    void update(float seconds);
+    bool update(float seconds);
     /// False once the artist has closed it.
     bool isOpen() const;
     /// Whether something goes on that wants frames: an animation plays, or figures are on their way. For programs that draw
