@@ -1,12 +1,13 @@
 #include "Scene.h"
 
+#include <OgreAnimationState.h>
 #include <OgreCamera.h>
-#include <OgreEntity.h>
 #include <OgreImage.h>
 #include <OgreLight.h>
 #include <OgreMaterialManager.h>
 #include <OgreMeshManager.h>
 #include <OgrePass.h>
+#include <OgreResourceGroupManager.h>
 #include <OgreSceneNode.h>
 #include <OgreTechnique.h>
 #include <OgreTextureManager.h>
@@ -45,6 +46,14 @@ private:
     std::minstd_rand mEngine{7};
 };
 
+void findModels()
+{
+    auto& resources = Ogre::ResourceGroupManager::getSingleton();
+    for (const std::string model : {"tree", "cottage", "lantern", "drake"})
+        resources.addResourceLocation(LODSMITH_MEDIA_DIR "/" + model, "FileSystem");
+    resources.initialiseAllResourceGroups();
+}
+
 Ogre::MaterialPtr makeGrass()
 {
     constexpr Ogre::uint32 size = 256;
@@ -64,12 +73,14 @@ Ogre::MaterialPtr makeGrass()
 
 } // namespace
 
-Scene::Scene(Engine& engine, Window& window, unsigned objects) : mManager(engine.root().createSceneManager())
+Scene::Scene(Engine& engine, Ogre::RenderTarget& target, unsigned objects)
+    : mManager(engine.root().createSceneManager())
 {
+    findModels();
     mManager->addRenderQueueListener(&engine.overlays());
     makeSkyAndGround();
     place(objects);
-    makeCamera(window);
+    makeCamera(target);
 }
 
 void Scene::makeSkyAndGround()
@@ -108,14 +119,12 @@ void Scene::place(unsigned objects)
         node->yaw(Ogre::Degree(360 * random()));
         node->setScale(Ogre::Vector3(model.smallest + (model.largest - model.smallest) * random()));
         node->attachObject(entity);
-        if (entity->hasSkeleton() && std::abs(x) < kAnimatedUpTo && z > -kAnimatedUpTo) {
-            mAnimations.push_back(entity->getAnimationState("idle"));
-            mAnimations.back()->setEnabled(true);
-        }
+        if (entity->hasSkeleton() && std::abs(x) < kAnimatedUpTo && z > -kAnimatedUpTo)
+            mAnimated.push_back(entity);
     }
 }
 
-void Scene::makeCamera(Window& window)
+void Scene::makeCamera(Ogre::RenderTarget& target)
 {
     Ogre::Camera* camera = mManager->createCamera("camera");
     camera->setNearClipDistance(0.5f);
@@ -124,7 +133,7 @@ void Scene::makeCamera(Window& window)
     mCameraNode = mManager->getRootSceneNode()->createChildSceneNode();
     mCameraNode->setFixedYawAxis(true);
     mCameraNode->attachObject(camera);
-    window.target().addViewport(camera)->setBackgroundColour(kSky);
+    target.addViewport(camera)->setBackgroundColour(kSky);
     // Down the lane among the models, up and round, and back high above them.
     const Ogre::Vector3 stations[] = {{0, 4, 15},      {0, 3, -20},   {0, 4, -100}, {10, 16, -190}, {110, 40, -250},
                                       {190, 50, -130}, {100, 40, 40}, {20, 15, 60}, {0, 4, 15}};
@@ -140,8 +149,12 @@ void Scene::update(double share, double seconds)
     const float inside = std::clamp((0.35f - static_cast<float>(share)) / 0.1f, 0.0f, 1.0f);
     mCameraNode->setPosition(place);
     mCameraNode->lookAt(middle + inside * (ahead - middle), Ogre::Node::TS_WORLD);
-    for (Ogre::AnimationState* animation : mAnimations)
-        animation->addTime(static_cast<Ogre::Real>(seconds));
+    for (Ogre::Entity* entity : mAnimated) {
+        // Asked for each time: levels that come later may make an entity's inside anew.
+        Ogre::AnimationState* idle = entity->getAnimationState("idle");
+        idle->setEnabled(true);
+        idle->addTime(static_cast<Ogre::Real>(seconds));
+    }
 }
 
 } // namespace lodsmith::samples

@@ -2,7 +2,8 @@
 
 #include "Window.h"
 
-#include <OgreAnimationState.h>
+#include <OgreEntity.h>
+#include <OgreRenderTarget.h>
 #include <OgreSceneManager.h>
 #include <OgreSimpleSpline.h>
 
@@ -10,10 +11,11 @@
 
 namespace lodsmith::samples {
 
-/// A valley full of trees, cottages, lanterns and drakes, up to the horizon, and a camera that goes round in it.
+/// A valley full of trees, cottages, lanterns and drakes, the models of media/, up to the horizon, and a camera that goes round
+/// in it.
 class Scene {
 public:
-    Scene(Engine& engine, Window& window, unsigned objects);
+    Scene(Engine& engine, Ogre::RenderTarget& target, unsigned objects);
 
     Ogre::SceneManager& manager() { return *mManager; }
 
@@ -23,12 +25,12 @@ public:
 private:
     void makeSkyAndGround();
     void place(unsigned objects);
-    void makeCamera(Window& window);
+    void makeCamera(Ogre::RenderTarget& target);
 
     Ogre::SceneManager* mManager = nullptr;
     Ogre::SceneNode* mCameraNode = nullptr;
     Ogre::SimpleSpline mPath;
-    std::vector<Ogre::AnimationState*> mAnimations;
+    std::vector<Ogre::Entity*> mAnimated;
 };
 
 } // namespace lodsmith::samples

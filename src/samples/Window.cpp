@@ -1,6 +1,5 @@
 #include "Window.h"
 
-#include <OgreResourceGroupManager.h>
 #include <OgreWindowEventUtilities.h>
 
 #include <iostream>
@@ -49,10 +48,6 @@ Window::Window(Engine& engine, const Options& options)
     : mRoot(engine.root()), mTarget(*mRoot.createRenderWindow("Lodsmith", options.width, options.height, false))
 {
     OgreBites::WindowEventUtilities::_addRenderWindow(&mTarget);
-    auto& resources = Ogre::ResourceGroupManager::getSingleton();
-    for (const std::string model : {"tree", "cottage", "lantern", "drake"})
-        resources.addResourceLocation(LODSMITH_MEDIA_DIR "/" + model, "FileSystem");
-    resources.initialiseAllResourceGroups();
 }
 
 Window::~Window()

@@ -36,7 +36,7 @@ private:
     std::unique_ptr<Ogre::OverlaySystem> mOverlays;
 };
 
-/// The window, and the models of media/ as resources.
+/// The window.
 class Window {
 public:
     Window(Engine& engine, const Options& options);

@@ -33,7 +33,7 @@ public:
     Show(Engine& engine, const Options& options)
         : mOptions(options), mWindow(engine, options),
           mLods(options.levels == Levels::Library ? std::make_unique<LibraryLods>() : nullptr),
-          mScene(engine, mWindow, options.objects), mOverlay(*mWindow.target().getViewport(0))
+          mScene(engine, mWindow.target(), options.objects), mOverlay(*mWindow.target().getViewport(0))
     {
         mScene.manager().addLodListener(&mFigures);
         if (mLods)
