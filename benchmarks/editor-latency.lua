@@ -54,7 +54,9 @@ for move = 1, MOVES do
         coroutine.yield()
         local work, draw = editor:frameTimes()
         table.insert(works, work)
-        table.insert(draws, draw)
+        if draw > 0.001 then -- frames in which nothing has changed are not drawn
+            table.insert(draws, draw)
+        end
     until injected and isResting()
     table.insert(generations, injected - start)
     -- The frame in which the levels came has been drawn when the script goes on.

@@ -18,9 +18,13 @@ Panel.__index = Panel
 
 local FONT = "DejaVuSans-10-NoScale"
 
--- The panel's sizes are made for a font that does not grow with the window. A host without it gives its default font.
+-- The panel's sizes are made for a font that does not grow with the window. A host without its file gives its default
+-- font.
 local function panelFont()
     local fonts = CEGUI.FontManager:getSingleton()
+    if not fonts:isDefined(FONT) then
+        pcall(fonts.createFromFile, fonts, FONT .. ".font")
+    end
     return fonts:isDefined(FONT) and FONT or nil
 end
 
@@ -28,6 +32,7 @@ end
 -- options: {parent = window or nil for the root window; fill = true: it fills the parent, else it is a window in it;
 --           preview = lodsmith.preview or nil;
 --           host = {canOpen = true: files may be opened; recentFiles = function() -> paths; opened = function(path)} or nil}
+-- opened() hears of the mesh that was opened once it is the one that is edited.
 local function open(options)
     if lodsmith.panel then
         error("the panel is open", 0)
@@ -59,7 +64,7 @@ function Panel:build(options)
     kit:skinOf(self.parts.MessageBar)
     self.window = self.root
     if not options.fill then
-        self.window = self:makeFrame()
+        self.window = self:makeFrame(parent)
         self.window:addChild(self.root)
     end
     parent:addChild(self.window)
@@ -76,8 +81,14 @@ function Panel:build(options)
     self.meshPane.list:activate()
 end
 
-function Panel:makeFrame()
+-- As large as the layout says: less leaves no room for all. A parent that is smaller has to do.
+function Panel:makeFrame(parent)
     local window = CEGUI.toFrameWindow(self.kit:load("AssetsManagerFrame"))
+    local room, size = parent:getPixelSize(), window:getSize()
+    local least = CEGUI.USize(CEGUI.UDim(0, math.min(size.width.offset, room.width)),
+        CEGUI.UDim(0, math.min(size.height.offset, room.height)))
+    window:setMinSize(least)
+    window:setSize(least)
     self.kit:on(window, "CloseClicked", function()
         self:askToLeave(function()
             self:close()
@@ -137,10 +148,15 @@ end
 
 function Panel:connectMessages()
     local state, kit, parts = self.state, self.kit, self.parts
-    state:on("message", function(kind, text)
+    local function show(kind, text)
         kit:setMessage(parts.Message, kind, (text:gsub("\n", "; ")))
         parts.Message:setTooltipText(text)
-    end)
+    end
+    state:on("message", show)
+    -- What went wrong while the parts were made.
+    if state.message then
+        show(state.message.kind, state.message.text)
+    end
     local function cancel()
         state:told(state:cancelGeneration())
     end
@@ -181,17 +197,25 @@ function Panel:chooseMesh(mesh)
 end
 
 function Panel:openMesh(path)
-    local opened, message = self.state:told(self.state:openMesh(path))
-    if opened and self.host.opened then
+    return self.state:told(self.state:openMesh(path, function(mesh)
+        self:tellOpened(mesh)
+    end))
+end
+
+-- Only meshes that come from files can be opened again.
+function Panel:tellOpened(mesh)
+    local path = mesh:path()
+    if path and self.host.opened then
         self.host.opened(path)
     end
-    return opened, message
 end
 
 -- path: a mesh, or a directory of meshes
 function Panel:open(path)
     if self.api.listDirectory(path) then
-        return self.state:told(self.state:openDirectory(path))
+        return self.state:told(self.state:openDirectory(path, function(mesh)
+            self:tellOpened(mesh)
+        end))
     end
     return self:openMesh(path)
 end

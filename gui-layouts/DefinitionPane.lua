@@ -118,9 +118,11 @@ function DefinitionPane:connectLevel()
         tell = tell,
     })
     self:connectSlider()
-    kit:on(parts.HandMadeFilter, "TextChanged", function()
-        self.isStale = true
-    end)
+    local function listAgain()
+        self.handMadeFound, self.isStale = nil, true
+    end
+    kit:on(parts.HandMadeFilter, "TextChanged", listAgain)
+    state:on("mesh", listAgain)
     keyboard:addText(parts.HandMadeFilter)
     kit:on(self.handMade, "SelectionChanged", function()
         local index = kit.chosen(self.handMade)
@@ -269,11 +271,14 @@ function DefinitionPane:refreshSlider(row)
 end
 
 function DefinitionPane:refreshHandMade(row)
-    local names = self.state:handMadeMeshes(self.parts.HandMadeFilter:getText())
+    -- Not at each step of a slider: a directory is read.
+    if not self.handMadeFound then
+        self.handMadeFound = self.state:handMadeMeshes(self.parts.HandMadeFilter:getText())
+    end
     local texts = {"(none: reduced by the generator)"}
     self.handMadeNames = {""}
     local chosen = row and row.meshName == "" and 1 or nil
-    for _, name in ipairs(names) do
+    for _, name in ipairs(self.handMadeFound) do
         table.insert(texts, name)
         table.insert(self.handMadeNames, name)
         if row and row.meshName == name then

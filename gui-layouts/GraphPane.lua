@@ -9,12 +9,15 @@ GraphPane.__index = GraphPane
 
 local REACH = 12
 
+-- Graphs have names of their own: that of a closed panel lives until its garbage is collected.
+local graphs = 0
+
 -- parts: windows of the definition's pane
 function GraphPane.new(panel, parts)
     local self = setmetatable({panel = panel, kit = panel.kit, state = panel.state, parts = parts}, GraphPane)
     self.isStale, self.marks = true, {}
     if panel.api.newGraph then
-        self.graph = panel.api.newGraph("LodsmithPanelGraph")
+        self:makeGraph()
     end
     self.kit:on(parts.Graph, "MouseButtonDown", function(arguments)
         local mouse = CEGUI.toMouseEventArgs(arguments)
@@ -26,6 +29,16 @@ function GraphPane.new(panel, parts)
         end)
     end
     return self
+end
+
+function GraphPane:makeGraph()
+    graphs = graphs + 1
+    local graph, message = self.panel.api.newGraph("LodsmithPanelGraph" .. graphs)
+    if graph then
+        self.graph = graph
+    else
+        self.state:say("error", "There is no graph: " .. message)
+    end
 end
 
 function GraphPane:click(x, y)

@@ -7,6 +7,7 @@ local Kit = {}
 Kit.__index = Kit
 
 local AUTO_PREFIX = "__auto_"
+local TITLE_BAR = "__auto_titlebar__"
 
 function Kit.new(guard, font)
     return setmetatable({guard = guard, font = font, isSilent = false, items = {}}, Kit)
@@ -23,6 +24,9 @@ end
 function Kit:collect(window, parts)
     parts[window:getName()] = window
     self:dress(window)
+    if window:isChild(TITLE_BAR) then
+        self:dress(window:getChild(TITLE_BAR))
+    end
     for index = 0, window:getChildCount() - 1 do
         local child = window:getChildAtIdx(index)
         if child:getName():sub(1, #AUTO_PREFIX) ~= AUTO_PREFIX then

@@ -25,6 +25,14 @@ function LevelEdits:isEditable()
     return self.definition ~= nil and not self.definition:isAutomatic()
 end
 
+-- true, or nil and why levels cannot be changed.
+function LevelEdits:canEdit()
+    if not self:isEditable() then
+        return nil, self.definition and AUTOMATIC or "no mesh is chosen"
+    end
+    return true
+end
+
 function LevelEdits:levelCount()
     local definition = self:shownDefinition()
     return definition and definition:levelCount() or 0
@@ -176,8 +184,9 @@ function LevelEdits:checkNewValue(text)
     if not value then
         return nil, message
     end
-    if not self:isEditable() then
-        return nil, self.definition and AUTOMATIC or "no mesh is chosen"
+    local can, why = self:canEdit()
+    if not can then
+        return nil, why
     end
     local added, reason = self.definition:copy():addLevel(value)
     if not added then
@@ -220,8 +229,9 @@ function LevelEdits:addLevel(text)
 end
 
 function LevelEdits:deleteLevel()
-    if not self:isEditable() then
-        return nil, self.definition and AUTOMATIC or "no mesh is chosen"
+    local can, why = self:canEdit()
+    if not can then
+        return nil, why
     end
     local index = self.selected
     if not index then
@@ -248,10 +258,7 @@ function LevelEdits:canPaste()
     if not self.clipboard then
         return nil, "no level was copied"
     end
-    if not self:isEditable() then
-        return nil, self.definition and AUTOMATIC or "no mesh is chosen"
-    end
-    return true
+    return self:canEdit()
 end
 
 function LevelEdits:pasteLevel(text)
@@ -272,8 +279,9 @@ end
 -- The selected level --------------------------------------------------------------------------------------------------
 
 function LevelEdits:editLevel(gesture, change)
-    if not self:isEditable() then
-        return nil, self.definition and AUTOMATIC or "no mesh is chosen"
+    local can, why = self:canEdit()
+    if not can then
+        return nil, why
     end
     local index = self.selected
     if not index then

@@ -20,6 +20,10 @@ end
 -- What was asked for about levels or a mesh that are no longer there.
 function LevelFigures:dropJobs()
     self:dropMeasuring()
+    self:dropCurveJob()
+end
+
+function LevelFigures:dropCurveJob()
     if self.curveJob then
         self.curveJob:cancel()
         self.curveJob = nil
@@ -177,26 +181,34 @@ local function curveKey(definition)
     return table.concat(key, " ")
 end
 
+-- curveKey is that of the curve that is there, or that is being computed.
 function LevelFigures:computeCurve()
     local definition = self:shownDefinition()
     if not definition or curveKey(definition) == self.curveKey then
         return
     end
-    local key = curveKey(definition)
+    self:dropCurveJob()
+    self.curveKey = curveKey(definition)
     local job, message = self.api.analysis:curve(self.mesh, definition, CURVE_POINTS, function(points, reason)
         self.curveJob = nil
-        if points then
-            self.curve = points
-            self:emit("curve")
-        else
-            self:say("error", "No curve: " .. reason)
-        end
+        self:takeCurve(points, reason)
     end)
-    if not job then
-        self:say("error", message)
-        return
+    self.curveJob = job
+    if job then
+        self:emit("curve")
+    else
+        self:takeCurve(nil, message)
     end
-    self.curveKey, self.curveJob = key, job
+end
+
+-- Without its points the curve is asked for again at the next change.
+function LevelFigures:takeCurve(points, reason)
+    self.curve = points
+    if not points then
+        self.curveKey = nil
+        self:say("error", "No curve: " .. reason)
+    end
+    self:emit("curve")
 end
 
 return LevelFigures

@@ -76,14 +76,11 @@ end
 
 function LevelsPane:add()
     local state = self.state
-    local can, message = state:checkNewValue(tostring(state:suggestValue() or 1))
-    if not can then
-        state:say("error", message)
-        return
+    if state:told(state:canEdit()) then
+        self:ask("Add a level", function(text)
+            return state:addLevel(text)
+        end)
     end
-    self:ask("Add a level", function(text)
-        return state:addLevel(text)
-    end)
 end
 
 function LevelsPane:paste()
@@ -111,9 +108,9 @@ end
 
 local function cells(row, words, radius)
     return {
-        Numbers.format(Numbers.rounded(row.value, 6)),
+        Numbers.cell(row.value),
         row.isHandMade and "hand-made" or Words.find(words.methods, row.method).short,
-        row.isHandMade and row.meshName or Numbers.format(Numbers.rounded(row.amount, 4)),
+        row.isHandMade and row.meshName or Numbers.cell(row.amount),
         row.triangles and tostring(row.triangles) or row.isSkipped and "as before" or "-",
         row.bytes and Numbers.bytes(row.bytes) or "-",
         deviationText(row, radius),

@@ -61,14 +61,13 @@ function LodState:listenToQueue()
     }
 end
 
+-- Levels that are not saved go with it.
 function LodState:close()
+    self:dropMesh()
     for _, connection in ipairs(self.connections) do
         connection:disconnect()
     end
-    self.connections = {}
-    self:dropJobs()
-    self.scheduler:forget()
-    self.listeners = {}
+    self.connections, self.listeners = {}, {}
 end
 
 -- Listeners -----------------------------------------------------------------------------------------------------------
@@ -121,25 +120,33 @@ function LodState.passes(name, filter)
 end
 
 -- true, "asked" when there are unsaved changes and answer() decides, or nil and the reason.
-function LodState:chooseMesh(mesh)
+-- chosen: function(mesh) or nil, called once the mesh is the one that is edited
+function LodState:chooseMesh(mesh, chosen)
+    chosen = chosen or function() end
     if self.mesh and self.mesh:equals(mesh) then
+        chosen(mesh)
         return true
     end
     return self:afterSaving("Another mesh is to be edited.", function()
-        return self:setMesh(mesh)
+        local set, message = self:setMesh(mesh)
+        if set then
+            chosen(mesh)
+        end
+        return set, message
     end)
 end
 
-function LodState:openMesh(path)
+-- chosen: as for chooseMesh()
+function LodState:openMesh(path, chosen)
     local mesh, message = self.api.openMesh(path)
     if not mesh then
         return nil, message
     end
-    return self:chooseMesh(mesh)
+    return self:chooseMesh(mesh, chosen)
 end
 
--- All meshes of a directory go into the list, and the first one is chosen.
-function LodState:openDirectory(path)
+-- All meshes of a directory go into the list, and the first one is chosen; chosen: as for chooseMesh().
+function LodState:openDirectory(path, chosen)
     local meshes, message = self.api.openDirectory(path)
     if not meshes then
         return nil, message
@@ -148,7 +155,7 @@ function LodState:openDirectory(path)
         return nil, path .. ": there are no meshes"
     end
     self:emit("figures")
-    return self:chooseMesh(meshes[1])
+    return self:chooseMesh(meshes[1], chosen)
 end
 
 function LodState:setMesh(mesh)
@@ -159,7 +166,7 @@ function LodState:setMesh(mesh)
     if not loaded then
         return nil, message
     end
-    local definition, path = self.api.definitions:read(mesh)
+    local definition, path = self:readDefinition(mesh)
     if not definition then
         return nil, path
     end
@@ -177,15 +184,27 @@ function LodState:setMesh(mesh)
     return true
 end
 
--- Levels that were tried out and not saved give way to those of the file.
+-- The definition and its path; without one where there is no file yet. A mesh that comes from no file, and so has no
+-- place for one, is edited all the same: save() says why it is not kept.
+function LodState:readDefinition(mesh)
+    local definition, path = self.api.definitions:read(mesh)
+    if not definition and not self.api.definitions:path(mesh) then
+        return self.api.newDefinition()
+    end
+    return definition, path
+end
+
+-- Levels that were tried out and not saved give way to those of the file. So do those of a generation that is cut off,
+-- for it leaves the levels of an edit before it.
 function LodState:dropMesh()
     local mesh = self.mesh
     if not mesh then
         return
     end
+    local wasBusy = self.scheduler:isBusy()
     self.scheduler:cancel()
     self:setProgress(nil)
-    if self.hasApplied and self:isDirty() and not mesh:isGone() then
+    if self.hasApplied and (wasBusy or self:isDirty()) and not mesh:isGone() then
         self.api.manager:apply(mesh)
     end
     self:dropJobs()
@@ -237,7 +256,7 @@ function LodState:reload()
         text = "The definition has unsaved changes. Reading it again loses them.",
         answers = {"discard", "cancel"},
     }, function()
-        local definition, path = self.api.definitions:read(self.mesh)
+        local definition, path = self:readDefinition(self.mesh)
         if not definition then
             return nil, path
         end

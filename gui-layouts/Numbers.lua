@@ -37,6 +37,15 @@ function Numbers.short(number)
     return ("%.3g"):format(number)
 end
 
+-- For a narrow column: whole numbers of up to six digits, and three or four digits of others.
+function Numbers.cell(number)
+    local size = math.abs(number)
+    if size >= 1000 and size < 999999.5 then
+        return ("%.0f"):format(number)
+    end
+    return Numbers.format(Numbers.rounded(number, (size < 0.01 or size >= 1000) and 3 or 4))
+end
+
 -- A length of a mesh with this radius: what is far below what its coordinates can hold is none.
 function Numbers.length(length, radius)
     return length < radius * 1e-6 and "0" or Numbers.short(length)

@@ -105,7 +105,14 @@ function PreviewPane:connectMouse()
     end
     mouse("MouseButtonDown", self.mouseDown)
     mouse("MouseMove", self.mouseMove)
-    mouse("MouseButtonUp", self.mouseUp)
+    mouse("MouseButtonUp", self.endDrag)
+    -- The button may come up where nobody tells of it.
+    for _, event in ipairs({"InputCaptureLost", "Deactivated"}) do
+        kit:on(image, event, function()
+            self:endDrag()
+            return false
+        end)
+    end
     mouse("MouseWheel", function(_, _, _, _, change)
         if self.preview then
             self.preview:zoom(change)
@@ -154,7 +161,7 @@ function PreviewPane:mouseMove(x, y)
     end
 end
 
-function PreviewPane:mouseUp()
+function PreviewPane:endDrag()
     if self.drag then
         self.drag = nil
         self.image:releaseInput()

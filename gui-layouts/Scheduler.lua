@@ -28,19 +28,13 @@ function Scheduler:isBusy()
     return self.running ~= nil or self.waiting ~= nil
 end
 
--- Nothing of this mesh is generated any more, nor waits for it.
+-- Nothing is generated any more, nor waits for it.
 function Scheduler:cancel()
     self.waiting = nil
     if self.running then
         self.worker.cancel(self.running)
         self.running = nil
     end
-end
-
--- Lets go of what waits, without a word to the queue: another mesh was chosen.
-function Scheduler:forget()
-    self.waiting = nil
-    self.running = nil
 end
 
 -- Once a frame. Asks the queue too: a generation can vanish without a signal, with its mesh for example.

@@ -39,14 +39,6 @@ std::vector<Ogre::MeshPtr> knownMeshes()
     return meshes;
 }
 
-bool isMeshName(const std::string& name)
-{
-    std::string extension = fs::path(name).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    return extension == ".mesh";
-}
-
 Table sortedTable(std::vector<std::string> names)
 {
     std::sort(names.begin(), names.end());
@@ -138,7 +130,7 @@ Returned listDirectory(Text path)
             continue;
         if (entries->is_directory(unreadable))
             directories.push_back(name);
-        else if (entries->is_regular_file(unreadable) && isMeshName(name))
+        else if (entries->is_regular_file(unreadable) && isMeshFileName(name))
             meshes.push_back(name);
     }
     if (error)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Keeps the documentation's examples true.
 #   check-examples.sh [LODSMITH]
-# Each C++ example of README.md and docs/runtime.md has to stand, line for line, in a source that is compiled and run.
+# Each C++ example of README.md, docs/runtime.md and docs/embedding.md has to stand, line for line, in a source that is compiled and run.
 # Each `lodsmith` command in a block marked `sh` of README.md and docs/ is run with LODSMITH, the program, in a directory
 # of its own that holds media/; without LODSMITH that part is left out.
 set -euo pipefail
@@ -37,6 +37,7 @@ check_examples() {
 }
 
 check_examples README.md tests/consumer/AddLods.cpp src/samples/LibraryLods.h
+check_examples docs/embedding.md src/samples/GameGui.cpp src/samples/LodPanel.cpp src/samples/Game.cpp src/samples/LodPanel.cpp src/samples/LodPanel.cpp
 check_examples docs/runtime.md src/samples/LibraryLods.h tests/ogre/DefinedLodConfigTest.cpp tests/ogre/BackgroundLods.h
 
 # run_commands FILE: runs its `lodsmith` commands in their order.

@@ -6,6 +6,7 @@
 
 #include <exception>
 #include <iostream>
+#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -96,7 +97,9 @@ int Editor::run()
 bool Editor::handleEvents()
 {
     SDL_Event event;
-    if (!SDL_WaitEventTimeout(&event, isBusy() ? kBusyMilliseconds : kIdleMilliseconds))
+    const bool happened = SDL_WaitEventTimeout(&event, isBusy() ? kBusyMilliseconds : kIdleMilliseconds) != 0;
+    mAwake = Clock::now();
+    if (!happened)
         return false;
     do
         handle(event);
@@ -125,11 +128,7 @@ void Editor::handle(const SDL_Event& event)
     }
     if (key == SDLK_F12)
         return takeScreenshot();
-    try {
-        mGui.handle(event);
-    } catch (const std::exception& exception) { // CEGUI passes errors of handlers on
-        tell(exception.what());
-    }
+    guard([&] { mGui.handle(event); });
 }
 
 void Editor::takeScreenshot()
@@ -159,16 +158,15 @@ void Editor::resumeScript()
 
 void Editor::frame(bool hadEvents)
 {
-    const auto start = Clock::now();
     const bool hasPicture = work();
     const auto worked = Clock::now();
     const bool isDue = secondsBetween(mLastDrawn, worked) > kSecondsBetweenFrames;
     if (hadEvents || hasPicture || (isDue && mGui.hasChanged())) {
-        mRoot._updateAllRenderTargets();
+        guard([&] { mRoot._updateAllRenderTargets(); });
         mLastDrawn = worked;
     }
     mRoot._fireFrameEnded();
-    mControl->lastFrame = {secondsBetween(start, worked), secondsBetween(worked, Clock::now())};
+    mControl->lastFrame = {secondsBetween(mAwake, worked), secondsBetween(worked, Clock::now())};
 }
 
 bool Editor::work()
@@ -176,13 +174,9 @@ bool Editor::work()
     const auto now = Clock::now();
     const double seconds = secondsBetween(mLastFrame, now);
     mLastFrame = now;
-    try {
-        mGui.advance(seconds);
-    } catch (const std::exception& exception) {
-        tell(exception.what());
-    }
+    guard([&] { mGui.advance(seconds); });
     // First the injector, so that this frame shows the levels that have come.
-    mRoot._fireFrameStarted();
+    guard([&] { mRoot._fireFrameStarted(); });
     return mPanel->update(float(seconds));
 }
 
@@ -190,6 +184,17 @@ void Editor::runInPanel(const char* code, const std::string& argument)
 {
     if (const auto done = runLua(mGui.lua(), code, argument); !done)
         tell(describe(done.error()));
+}
+
+template <class Work>
+void Editor::guard(const Work& work)
+{
+    try {
+        work();
+    } catch (const std::exception& exception) { // CEGUI passes errors of handlers on
+        if (std::exchange(mLastTrouble, exception.what()) != exception.what())
+            tell(exception.what());
+    }
 }
 
 void Editor::tell(const std::string& message)

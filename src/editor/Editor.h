@@ -14,6 +14,7 @@
 
 #include <chrono>
 #include <memory>
+#include <string>
 
 namespace lodsmith::editor {
 
@@ -45,6 +46,9 @@ private:
     /// All but drawing. Whether the preview has another picture.
     bool work();
     bool isBusy() const;
+    /// Runs it; what it throws is told, once although it may come with every frame.
+    template <class Work>
+    void guard(const Work& work);
     void tell(const std::string& message);
 
     Ogre::Root& mRoot;
@@ -59,6 +63,8 @@ private:
     std::unique_ptr<Script> mScript;
     Clock::time_point mLastFrame = Clock::now();
     Clock::time_point mLastDrawn;
+    Clock::time_point mAwake; ///< when there was something to do, or time had passed
+    std::string mLastTrouble;
 };
 
 } // namespace lodsmith::editor

@@ -36,13 +36,11 @@ CEGUI::GUIContext& context()
     return CEGUI::System::getSingleton().getDefaultGUIContext();
 }
 
-bool injectText(const char* text)
+void injectText(const char* text)
 {
-    bool used = false;
     const CEGUI::String characters(reinterpret_cast<const CEGUI::utf8*>(text));
     for (const CEGUI::String::value_type character : characters)
-        used = context().injectChar(character) || used;
-    return used;
+        context().injectChar(character);
 }
 
 } // namespace
@@ -114,31 +112,34 @@ lua_State* Gui::lua() const
     return mScripts->getLuaState();
 }
 
-bool Gui::handle(const SDL_Event& event)
+void Gui::handle(const SDL_Event& event)
 {
     switch (event.type) {
-    case SDL_MOUSEMOTION: context().injectMousePosition(float(event.motion.x), float(event.motion.y)); return true;
-    case SDL_MOUSEBUTTONDOWN: return context().injectMouseButtonDown(buttonFor(event.button.button));
-    case SDL_MOUSEBUTTONUP: return context().injectMouseButtonUp(buttonFor(event.button.button));
-    case SDL_MOUSEWHEEL: return context().injectMouseWheelChange(event.wheel.preciseY);
-    case SDL_KEYDOWN: return handleKey(event.key);
-    case SDL_KEYUP: return context().injectKeyUp(keyFor(event.key.keysym.sym));
-    case SDL_TEXTINPUT: return injectText(event.text.text);
-    case SDL_WINDOWEVENT: return event.window.event == SDL_WINDOWEVENT_LEAVE ? context().injectMouseLeaves() : true;
-    default: return false;
+    case SDL_MOUSEMOTION: context().injectMousePosition(float(event.motion.x), float(event.motion.y)); break;
+    case SDL_MOUSEBUTTONDOWN: context().injectMouseButtonDown(buttonFor(event.button.button)); break;
+    case SDL_MOUSEBUTTONUP: context().injectMouseButtonUp(buttonFor(event.button.button)); break;
+    case SDL_MOUSEWHEEL: context().injectMouseWheelChange(event.wheel.preciseY); break;
+    case SDL_KEYDOWN: handleKey(event.key); break;
+    case SDL_KEYUP: context().injectKeyUp(keyFor(event.key.keysym.sym)); break;
+    case SDL_TEXTINPUT: injectText(event.text.text); break;
+    case SDL_WINDOWEVENT:
+        if (event.window.event == SDL_WINDOWEVENT_LEAVE)
+            context().injectMouseLeaves();
+        break;
+    default: break;
     }
 }
 
-bool Gui::handleKey(const SDL_KeyboardEvent& event)
+void Gui::handleKey(const SDL_KeyboardEvent& event)
 {
-    const bool used = context().injectKeyDown(keyFor(event.keysym.sym));
+    context().injectKeyDown(keyFor(event.keysym.sym));
     if (!(event.keysym.mod & KMOD_CTRL))
-        return used;
+        return;
     switch (event.keysym.sym) {
-    case SDLK_c: return context().injectCopyRequest() || used;
-    case SDLK_x: return context().injectCutRequest() || used;
-    case SDLK_v: return context().injectPasteRequest() || used;
-    default: return used;
+    case SDLK_c: context().injectCopyRequest(); break;
+    case SDLK_x: context().injectCutRequest(); break;
+    case SDLK_v: context().injectPasteRequest(); break;
+    default: break;
     }
 }
 

@@ -32,9 +32,8 @@ public:
     lua_State* lua() const;
     CEGUI::Window& root() { return *mRoot; }
 
-    /// Tells CEGUI what mouse or keyboard did. True when that may have changed what is shown. Throws CEGUI::Exception for an
-    /// error in a handler.
-    bool handle(const SDL_Event& event);
+    /// Tells CEGUI what mouse or keyboard did. Throws CEGUI::Exception for an error in a handler.
+    void handle(const SDL_Event& event);
     void resized(int width, int height);
     /// Lets time pass for tooltips, carets and repeated keys.
     void advance(double seconds);
@@ -46,7 +45,7 @@ private:
     class Clipboard;
 
     void loadSkin();
-    bool handleKey(const SDL_KeyboardEvent& event);
+    void handleKey(const SDL_KeyboardEvent& event);
 
     std::unique_ptr<CEGUI::Logger> mLog;
     std::unique_ptr<Clipboard> mClipboard;

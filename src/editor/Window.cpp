@@ -109,11 +109,6 @@ void Window::attach(Ogre::Root& root)
     mTarget->addViewport(mBackground->createCamera("background"));
 }
 
-void Window::setTitle(const std::string& title)
-{
-    SDL_SetWindowTitle(mWindow, title.c_str());
-}
-
 void Window::resized()
 {
     mTarget->windowMovedOrResized();

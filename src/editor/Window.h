@@ -31,7 +31,6 @@ public:
     void attach(Ogre::Root& root);
     Ogre::RenderWindow& target() { return *mTarget; }
 
-    void setTitle(const std::string& title);
     /// To be called when SDL says that it has another size.
     void resized();
     WindowPlace place() const;

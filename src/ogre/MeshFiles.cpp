@@ -11,6 +11,7 @@
 #include <OgreMeshManager.h>
 #include <OgreMeshSerializer.h>
 #include <OgreResourceGroupManager.h>
+#include <OgreString.h>
 
 #include <algorithm>
 #include <memory>
@@ -101,7 +102,7 @@ std::pair<Ogre::MeshPtr, bool> declareMesh(const fs::path& file)
     return {std::static_pointer_cast<Ogre::Mesh>(mesh), isNew};
 }
 
-std::vector<fs::path> meshFilesBelow(const fs::path& directory)
+Result<std::vector<fs::path>> meshFilesBelow(const fs::path& directory)
 {
     std::vector<fs::path> files;
     std::error_code error;
@@ -111,14 +112,21 @@ std::vector<fs::path> meshFilesBelow(const fs::path& directory)
         std::error_code unreadable; // a link that leads nowhere
         if (file.filename().string().front() == '.')
             entries.disable_recursion_pending();
-        else if (file.extension() == ".mesh" && entries->is_regular_file(unreadable))
+        else if (isMeshFileName(file.string()) && entries->is_regular_file(unreadable))
             files.push_back(file);
     }
+    if (error)
+        return fileError(error, directory);
     std::sort(files.begin(), files.end());
     return files;
 }
 
 } // namespace
+
+bool isMeshFileName(const Ogre::String& name)
+{
+    return Ogre::StringUtil::endsWith(name, ".mesh");
+}
 
 Result<Ogre::MeshPtr> openMeshFile(const fs::path& path)
 {
@@ -150,8 +158,11 @@ Result<std::vector<Ogre::MeshPtr>> openMeshDirectory(const fs::path& path)
     if (!fs::is_directory(directory, error))
         return Error{ErrorCode::Io, "is no directory", path.string()};
     return guarded(path.string(), [&]() -> Result<std::vector<Ogre::MeshPtr>> {
+        const Result<std::vector<fs::path>> files = meshFilesBelow(directory);
+        if (!files)
+            return files.error();
         std::vector<Ogre::MeshPtr> meshes;
-        for (const fs::path& file : meshFilesBelow(directory))
+        for (const fs::path& file : files.value())
             meshes.push_back(declareMesh(file).first);
         return meshes;
     });

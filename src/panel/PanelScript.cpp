@@ -1,6 +1,7 @@
 #include "PanelScript.h"
 
 #include "CeguiPreview.h"
+#include "GuardedCegui.h"
 #include "PreviewBinding.h"
 
 #include <lodsmith/lua/Binding.h>
@@ -54,11 +55,14 @@ void pushLodsmithField(lua_State* state, const char* name)
     lua_remove(state, -2);
 }
 
-int findCegui(lua_State* state)
+int checkState(lua_State* state)
 {
     lua_getglobal(state, "CEGUI");
     if (!lua_istable(state, -1))
         luaL_error(state, "the Lua state does not have CEGUI's script module");
+    pushLodsmithField(state, "panel");
+    if (!lua_isnil(state, -1))
+        luaL_error(state, "the Lua state has an open panel");
     return 0;
 }
 
@@ -95,8 +99,19 @@ void addLoader(lua_State* state, const char* directory)
 void removeLoader(lua_State* state)
 {
     pushLoaders(state);
-    lua_pushnil(state);
-    lua_rawseti(state, -2, int(lua_objlen(state, -2)));
+    const int count = int(lua_objlen(state, -1));
+    int kept = 0;
+    for (int index = 1; index <= count; ++index) {
+        lua_rawgeti(state, -1, index);
+        if (lua_tocfunction(state, -1) == findModule)
+            lua_pop(state, 1);
+        else
+            lua_rawseti(state, -2, ++kept);
+    }
+    for (int index = kept + 1; index <= count; ++index) {
+        lua_pushnil(state);
+        lua_rawseti(state, -2, index);
+    }
     lua_pop(state, 1);
 }
 
@@ -126,7 +141,7 @@ struct PanelScript::Opening {
 
 Result<Done> PanelScript::check(lua_State* state)
 {
-    const auto found = runProtected(state, findCegui, nullptr);
+    const auto found = runProtected(state, checkState, nullptr);
     return found ? found : Error{ErrorCode::NotFound, found.error().message};
 }
 
@@ -159,6 +174,7 @@ PanelScript::~PanelScript()
 int PanelScript::openInLua(lua_State* state)
 {
     const auto* opening = static_cast<const Opening*>(lua_touserdata(state, 1));
+    guardCegui(state);
     tolua_Panel_open(state);
     lua_settop(state, 1);
     lua_getglobal(state, "lodsmith");

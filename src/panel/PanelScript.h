@@ -15,7 +15,7 @@ struct CeguiPreview;
 /// The panel's side in Lua: AssetsManager.lua and the table that its open() returns. What is thrown or raised in there ends here.
 class PanelScript {
 public:
-    /// Whether the state has CEGUI's script module. Errors: NotFound.
+    /// Whether the state has CEGUI's script module, and no open panel. Errors: NotFound.
     static Result<Done> check(lua_State* state);
 
     /// Errors: BadFile.

@@ -1,10 +1,10 @@
 #include "PreviewHandle.h"
 
 #include "CeguiPreview.h"
-#include <lodsmith/lua/Constants.h>
-#include <lodsmith/lua/Numbers.h>
 #include "PixelsFrom.h"
 #include "PreviewBinding.h"
+#include <lodsmith/lua/Constants.h>
+#include <lodsmith/lua/Numbers.h>
 
 #include <string>
 #include <utility>

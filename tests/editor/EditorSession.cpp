@@ -190,11 +190,6 @@ void EditorSession::type(const std::string& text)
     run("xdotool type --delay 5 -- " + quoted(text));
 }
 
-void EditorSession::screenshot(const fs::path& file)
-{
-    run("import -window root " + quoted(file.string()));
-}
-
 bool EditorSession::isAlive()
 {
     int status = 0;

@@ -54,9 +54,6 @@ public:
     /// Several of xdotool's commands in a row.
     void perform(const std::string& commands) { run("xdotool" + commands); }
 
-    /// Keeps what is on the screen.
-    void screenshot(const std::filesystem::path& file);
-
     /// Whether it still runs.
     bool isAlive();
     /// Waits until it has ended. Its exit status; 128 and the signal when it was killed; -1 when it goes on for a minute.

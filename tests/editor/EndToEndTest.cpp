@@ -85,7 +85,8 @@ protected:
                                     + output.string() + "' > '" + record.string() + "'";
         EXPECT_EQ(std::system(command.c_str()), 0);
         std::vector<int> triangles;
-        for (const auto& level : nlohmann::json::parse(contentOf(record)).at("levels"))
+        const auto inspected = nlohmann::json::parse(contentOf(record));
+        for (const auto& level : inspected.at("levels"))
             triangles.push_back(level.at("triangles"));
         return triangles;
     }
@@ -143,26 +144,35 @@ TEST_F(EndToEndTest, WrongInputIsSaidAndLosesNothing)
     makeManual(*session);
     addLevel(*session, "10");
 
-    // Nothing has been copied.
+    // Nothing has been copied: the button is disabled, and the key says so.
     session->click("Paste");
+    session->click("LevelList");
+    session->key("ctrl+v");
+    ASSERT_TRUE(
+        session->waitFor("lodsmith.panel.state.message ~= nil and lodsmith.panel.state.message.kind == 'error'"));
+    EXPECT_THAT(message(*session), HasSubstr("copied"));
     EXPECT_EQ(levelCount(*session), 1);
     EXPECT_EQ(session->ask("lodsmith.panel.valuePrompt.dialog.window:isVisible()"), "false");
 
     session->click("Add");
     ASSERT_TRUE(session->waitFor("lodsmith.panel.valuePrompt.dialog.window:isVisible()"));
-    for (const char* wrong : {"10", "twelve", "-3", "1e30"}) {
+    const std::string prompt = "lodsmith.panel.valuePrompt.dialog.parts.";
+    for (const std::string wrong : {"10", "twelve", "-3", "1e30"}) {
         session->key("ctrl+a");
         session->type(wrong);
         session->key("Return");
-        ASSERT_TRUE(session->waitFor("lodsmith.panel.valuePrompt.dialog.parts.PromptError:getText() ~= ''")) << wrong;
+        ASSERT_TRUE(session->waitFor(prompt + "PromptValue:getText() == '" + wrong + "' and " + prompt
+                                     + "PromptError:getText() ~= ''"))
+            << wrong;
         EXPECT_EQ(session->ask("lodsmith.panel.valuePrompt.dialog.window:isVisible()"), "true") << wrong;
     }
     session->key("Escape");
+    ASSERT_TRUE(session->waitFor("not lodsmith.panel.valuePrompt.dialog.window:isVisible()"));
     EXPECT_EQ(levelCount(*session), 1);
 
     enter(*session, "Amount", "much");
+    ASSERT_TRUE(session->waitFor("lodsmith.panel.definitionPane.parts.LevelError:getText() ~= ''"));
     EXPECT_EQ(session->ask("lodsmith.panel.state:level(1):amount()"), "0.5");
-    EXPECT_EQ(session->ask("lodsmith.panel.definitionPane.parts.LevelError:getText() ~= ''"), "true");
     enter(*session, "Amount", "0.75");
     ASSERT_TRUE(session->waitFor("lodsmith.panel.state:level(1):amount() == 0.75"));
 
@@ -189,12 +199,12 @@ TEST_F(EndToEndTest, ChangesAreNotLostByLeaving)
 {
     const auto session = open();
     makeManual(*session);
-    session->tell("lodsmith.panel:askToLeave(function() lodsmith.editor:quit() end)");
+    session->key("ctrl+q");
     ASSERT_TRUE(session->waitFor("lodsmith.panel.question.dialog.window:isVisible()"));
     session->key("Escape");
     ASSERT_TRUE(session->waitFor("not lodsmith.panel.question.dialog.window:isVisible()"));
     EXPECT_EQ(session->ask("lodsmith.panel.state:isDirty()"), "true");
-    session->tell("lodsmith.panel:askToLeave(function() lodsmith.editor:quit() end)");
+    session->key("ctrl+q");
     ASSERT_TRUE(session->waitFor("lodsmith.panel.question.dialog.window:isVisible()"));
     session->click("First");
     EXPECT_EQ(session->wait(), 0);

@@ -80,5 +80,61 @@ TEST_F(StartTest, GoesOnWhenItsSettingsAreSpoilt)
     EXPECT_THAT(output(), HasSubstr("editor.json: not the editor's settings"));
 }
 
+TEST_F(StartTest, SaysSoWhenThereIsNoOpenGl)
+{
+    // Xvfb finds a free display and prints its number.
+    const std::string command = "Xvfb -displayfd 1 -extension GLX -nolisten tcp > '" + (mDirectory / "display").string()
+                                + "' 2> /dev/null & server=$!; for i in $(seq 100); do [ -s '"
+                                + (mDirectory / "display").string() + "' ] && break; sleep 0.1; done; ";
+    const int status = std::system((command + "DISPLAY=:$(cat '" + (mDirectory / "display").string()
+                                    + "') timeout 60 '" LODSMITH_EDITOR "' > '" + (mDirectory / "output").string()
+                                    + "' 2>&1; status=$?; kill $server; exit $status")
+                                       .c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 1);
+    EXPECT_THAT(output(), HasSubstr("lodsmith-editor: the display has no OpenGL"));
+}
+
+TEST_F(StartTest, OpensADirectoryAndRemembersTheMesh)
+{
+    const VirtualDisplay display;
+    const fs::path models = mDirectory / "models";
+    fs::create_directories(models / "below");
+    fs::copy(LODSMITH_MEDIA_DIR "/lantern", models / "below", fs::copy_options::recursive);
+    fs::copy(LODSMITH_MEDIA_DIR "/cottage", models, fs::copy_options::recursive);
+    const std::string check = "assert(lodsmith.panel.state.mesh:name() == 'lantern.mesh') "
+                              "assert(#lodsmith.meshes() == 2) lodsmith.editor:quit()";
+    EXPECT_EQ(run("", "--script '" + script(check).string() + "' '" + models.string() + "'"), 0) << output();
+    const std::string again =
+        "assert(lodsmith.editor:recentFiles()[1]:match('/below/lantern.mesh$')) lodsmith.editor:quit()";
+    EXPECT_EQ(run("", "--script '" + script(again).string() + "'"), 0) << output();
+}
+
+TEST_F(StartTest, RemembersItsPlace)
+{
+    const VirtualDisplay display;
+    fs::create_directories(mDirectory / "home/lodsmith");
+    std::ofstream(mDirectory / "home/lodsmith/editor.json")
+        << R"({"recentFiles": [], "window": {"x": 20, "y": 30, "width": 1100, "height": 800, "maximised": false}})";
+    const fs::path picture = mDirectory / "picture.png";
+    const std::string shoot = "for i = 1, 3 do coroutine.yield() end local size = "
+                              "CEGUI.System:getSingleton():getRenderer():getDisplaySize() "
+                              "assert(size.width == 1100 and size.height == 800) "
+                              "assert(lodsmith.editor:screenshot('"
+                              + picture.string() + "')) lodsmith.editor:quit()";
+    EXPECT_EQ(run("", "--script '" + script(shoot).string() + "'"), 0) << output();
+    EXPECT_THAT(contentOf(picture).substr(0, 8), HasSubstr("PNG"));
+    EXPECT_THAT(contentOf(mDirectory / "home/lodsmith/editor.json"), HasSubstr("\"width\": 1100"));
+}
+
+TEST_F(StartTest, TellsWhatCannotBeOpenedInThePanel)
+{
+    const VirtualDisplay display;
+    std::ofstream(mDirectory / "text.mesh") << "no mesh";
+    const std::string check = "assert(lodsmith.panel.state.message.kind == 'error') "
+                              "assert(lodsmith.panel.state.message.text:find('text.mesh')) lodsmith.editor:quit()";
+    EXPECT_EQ(run("", "--script '" + script(check).string() + "' '" + (mDirectory / "text.mesh").string() + "'"), 0)
+        << output();
+}
+
 } // namespace
 } // namespace lodsmith::test

@@ -250,6 +250,44 @@ TEST_F(AssetsManagerPanelTest, GraphsBelongToLua)
     EXPECT_FALSE(CEGUI::ImageManager::getSingleton().isDefined("scripted"));
 }
 
+TEST_F(AssetsManagerPanelTest, ASecondOneIsRefusedAndTheFirstGoesOn)
+{
+    const auto panel = open(host());
+    ASSERT_TRUE(panel);
+    EXPECT_THAT(errorOf(host()).message, HasSubstr("open panel"));
+    EXPECT_TRUE(panel->isOpen());
+    EXPECT_EQ(mProgram.evaluate("lodsmith.queue:queued()"), "0");
+    EXPECT_EQ(mProgram.run("assert(lodsmith.manager:automatic() ~= nil)"), "");
+}
+
+TEST_F(AssetsManagerPanelTest, WhatCeguiThrowsIsAnErrorOfLuas)
+{
+    const auto panel = open(host());
+    ASSERT_TRUE(panel);
+    // As often as would fill Lua's stack of calls if each left something on it.
+    EXPECT_EQ(mProgram.run(R"(
+        local root = CEGUI.System:getSingleton():getDefaultGUIContext():getRootWindow()
+        for _ = 1, 300 do
+            local ok, message = pcall(root.setProperty, root, "NoSuchProperty", "x")
+            assert(not ok and message:find("NoSuchProperty"), message)
+            assert(not pcall(function() CEGUI.FontManager:getSingleton():get("NoSuchFont") end))
+        end
+        root:setText("as before")
+        assert(root:getText() == "as before")
+    )"),
+              "");
+    panel->update(0.1f);
+    EXPECT_TRUE(panel->isOpen());
+    // An error in a handler that a call from Lua has set off is that call's.
+    EXPECT_EQ(mProgram.run(R"(
+        local root = CEGUI.System:getSingleton():getDefaultGUIContext():getRootWindow()
+        root:subscribeEvent("TextChanged", function() error("in the handler") end)
+        local ok, message = pcall(root.setText, root, "other")
+        assert(not ok and message:find("in the handler"), message)
+    )"),
+              "");
+}
+
 TEST_F(AssetsManagerPanelTest, TheRealOneOpensAndRuns)
 {
     PanelHost where = mProgram.host();

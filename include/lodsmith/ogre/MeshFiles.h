@@ -10,6 +10,9 @@
 
 namespace lodsmith {
 
+/// Whether a file is a mesh by its name: it ends in ".mesh", in letters of either case.
+LODSMITH_API bool isMeshFileName(const Ogre::String& name);
+
 /// Opens a mesh file from anywhere. Its directory becomes the only location of a resource group of its own, which is named for the
 /// directory's canonical path and initialised, so that materials and definitions beside the mesh count. A second mesh of
 /// the directory comes into the same group. A mesh that is there already is loaded if it is not, and else stays as it is.
@@ -17,8 +20,8 @@ namespace lodsmith {
 /// Errors: NotFound (no such file), Io, and those of loadMesh(). Main thread only, as MeshReader.
 LODSMITH_API Result<Ogre::MeshPtr> openMeshFile(const std::filesystem::path& path);
 
-/// Lets OGRE know of all files "*.mesh" in a directory and in those below it, each as openMeshFile() does it, without loading
-/// them. Sorted by path; hidden directories, links to directories and what may not be read are left out. Errors: NotFound,
+/// Lets OGRE know of all meshes (isMeshFileName()) in a directory and in those below it, each as openMeshFile() does it, without loading
+/// them. Sorted by path; hidden ones, links to directories and what may not be read are left out. Errors: NotFound,
 /// Io (no directory), Unsupported (OGRE refused). Main thread only, as MeshReader.
 LODSMITH_API Result<std::vector<Ogre::MeshPtr>> openMeshDirectory(const std::filesystem::path& path);
 

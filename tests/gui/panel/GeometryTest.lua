@@ -80,6 +80,21 @@ local function checkChoices(parts, what)
     end
 end
 
+-- What the list of levels says, and what its columns are called.
+local function checkCells(list, what)
+    local font = CEGUI.FontManager:getSingleton():get("DejaVuSans-10-NoScale")
+    for column = 0, list:getColumnCount() - 1 do
+        local room = list:getHeaderSegmentForColumn(column):getPixelSize().width
+        local texts = {list:getHeaderSegmentForColumn(column):getText()}
+        for row = 0, list:getRowCount() - 1 do
+            table.insert(texts, list:getItemAtGridReference(CEGUI.MCLGridRef(row, column)):getText())
+        end
+        for _, text in ipairs(texts) do
+            Expect.yes(font:getTextExtent(text, 1) <= room - 4, what .. ": cut in the list: " .. text)
+        end
+    end
+end
+
 local function open(options)
     local session = require("PanelSession").open(options):withLevels(20, 50)
     session.state:setAmount("0.6")
@@ -101,6 +116,7 @@ function Tests.nothingOverlapsAndNothingIsCut()
         checkChildren(session.panel.root, what)
         checkTexts(session.parts, what)
         checkChoices(session.parts, what)
+        checkCells(CEGUI.toMultiColumnList(session.parts.LevelList), what)
     end
 end
 
@@ -118,10 +134,39 @@ end
 
 function Tests.smallestWindowHasRoomForAll()
     local session = open({fill = false})
-    session.panel.window:setSize(CEGUI.USize(CEGUI.UDim(0, 10), CEGUI.UDim(0, 10)))
+    local window = session.panel.window
+    Expect.equal(window:getPixelSize().width, 940)
+    Expect.equal(window:getPixelSize().height, 700)
+    window:setSize(CEGUI.USize(CEGUI.UDim(0, 10), CEGUI.UDim(0, 10)))
+    session.state:setMethod(session.api.Method.Deviation)
+    session.state:setAmount("0.000720397")
+    session.state:setValue("20.12345")
+    session:finish()
     session:frame()
-    Expect.yes(session.panel.window:getPixelSize().width >= 860)
+    Expect.equal(window:getPixelSize().width, 940)
     checkChildren(session.panel.root, "smallest window")
+    checkTexts(session.parts, "smallest window")
+    checkChoices(session.parts, "smallest window")
+    checkCells(CEGUI.toMultiColumnList(session.parts.LevelList), "smallest window")
+    Expect.equal(session.parts.Amount:getText(), "0.000720397")
+end
+
+function Tests.windowIsNoLargerThanWhatItIsIn()
+    resize(800, 600)
+    local session = open({fill = false})
+    local size = session.panel.window:getPixelSize()
+    Expect.equal(size.width, 800)
+    Expect.equal(size.height, 600)
+end
+
+function Tests.titlesHaveThePanelsFont()
+    local fonts = CEGUI.FontManager:getSingleton()
+    fonts:createFromFile("DejaVuSans-12-NoScale.font")
+    CEGUI.System:getSingleton():getDefaultGUIContext():setDefaultFont("DejaVuSans-12-NoScale")
+    local session = open({fill = false})
+    for _, window in ipairs({session.panel.window, session.parts.Prompt}) do
+        Expect.equal(window:getChild("__auto_titlebar__"):getFont():getName(), "DejaVuSans-10-NoScale")
+    end
 end
 
 return Tests
