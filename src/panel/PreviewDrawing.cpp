@@ -1,5 +1,9 @@
 #include "PreviewDrawing.h"
 
+#include "../ogre/TrianglesIn.h"
+
+#include <lodsmith/loddef/LodDefinition.h>
+
 #include <OgreEntity.h>
 #include <OgreRenderTarget.h>
 #include <OgreRenderable.h>
@@ -17,12 +21,7 @@ std::size_t trianglesOf(Ogre::Renderable& part)
     part.getRenderOperation(operation);
     const std::size_t count =
         operation.useIndexes ? operation.indexData->indexCount : operation.vertexData->vertexCount;
-    switch (operation.operationType) {
-    case Ogre::RenderOperation::OT_TRIANGLE_LIST: return count / 3;
-    case Ogre::RenderOperation::OT_TRIANGLE_STRIP:
-    case Ogre::RenderOperation::OT_TRIANGLE_FAN: return count > 2 ? count - 2 : 0;
-    default: return 0;
-    }
+    return trianglesIn(operation.operationType, count);
 }
 
 } // namespace
@@ -63,7 +62,7 @@ void PreviewDrawing::preViewportUpdate(const Ogre::RenderTargetViewportEvent& ev
         return;
     const PreviewPart& part = mPicture.parts[mPart];
     const auto level = static_cast<Ogre::ushort>(part.level.value_or(0));
-    mPicture.entity->setMeshLodBias(1, level, part.level ? level : 99);
+    mPicture.entity->setMeshLodBias(1, level, part.level ? level : Ogre::ushort(kMaxLoddefLevels));
     mPicture.entity->setVisible(!part.map);
     for (const PreviewPart& other : mPicture.parts)
         if (other.map)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Compiles the consumers with what pkg-config says about an installed Lodsmith, and runs them.
-#   pkg-config.sh COMPILER PREFIX LIBDIR OUTPUT-DIRECTORY CONSUMER...   (CONSUMER: core, loddef, cache or ogre)
+#   pkg-config.sh COMPILER PREFIX LIBDIR OUTPUT-DIRECTORY CONSUMER...   (CONSUMER: core, loddef, cache, ogre or panel)
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 compiler=$1 libdir=$2/$3 output=$4
@@ -25,6 +25,7 @@ for consumer in "${@:5}"; do
     loddef) compile lodsmith-loddef ./loddef_consumer "$here/LoddefConsumer.cpp" ;;
     cache) compile lodsmith-cache ./cache_consumer "$here/CacheConsumer.cpp" ;;
     ogre) compile lodsmith ./ogre_consumer "$here/OgreConsumer.cpp" "$here/AddLods.cpp" ;;
+    panel) compile lodsmith-panel ./panel_consumer "$here/PanelConsumer.cpp" ;;
     esac
     "./${consumer}_consumer"
 done

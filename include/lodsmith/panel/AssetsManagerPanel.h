@@ -58,8 +58,9 @@ LODSMITH_API std::filesystem::path guiDirectory();
 ///     panel.value()->update(seconds);
 ///
 /// It opens the Lua bindings, shares the services with scripts (LuaServices), and runs AssetsManager.lua. There is a preview where
-/// MeshPreview::isPossible() and CEGUI draws with OgreRenderer. No exception comes out of it, and errors in scripts are shown in
-/// the panel and logged to OGRE's log.
+/// MeshPreview::isPossible() and CEGUI draws with OgreRenderer. What CEGUI throws in functions that Lua calls becomes an error of
+/// Lua's in that state from then on. No exception comes out of it, and errors in scripts are shown in
+/// the panel and go to CEGUI's log, and those of the preview to OGRE's.
 ///
 /// One at a time in a Lua state. Everything in PanelHost lives longer than it does. Main thread only.
 class LODSMITH_API AssetsManagerPanel {
