@@ -24,13 +24,12 @@ end
 function Kit:collect(window, parts)
     parts[window:getName()] = window
     self:dress(window)
-    if window:isChild(TITLE_BAR) then
-        self:dress(window:getChild(TITLE_BAR))
-    end
     for index = 0, window:getChildCount() - 1 do
         local child = window:getChildAtIdx(index)
         if child:getName():sub(1, #AUTO_PREFIX) ~= AUTO_PREFIX then
             self:collect(child, parts)
+        elseif child:getName() == TITLE_BAR then
+            self:dress(child)
         end
     end
 end

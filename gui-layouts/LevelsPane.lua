@@ -7,7 +7,7 @@ local LevelsPane = {}
 LevelsPane.__index = LevelsPane
 
 local COLUMNS = {
-    {"From", 0.16}, {"Method", 0.17}, {"Amount", 0.16}, {"Triangles", 0.165}, {"Memory", 0.15}, {"Deviation", 0.165},
+    {"From", 0.145}, {"Method", 0.17}, {"Amount", 0.15}, {"Triangles", 0.165}, {"Memory", 0.155}, {"Deviation", 0.19},
 }
 
 function LevelsPane.new(panel, dock)

@@ -37,10 +37,10 @@ function Numbers.short(number)
     return ("%.3g"):format(number)
 end
 
--- For a narrow column: whole numbers of up to six digits, and three or four digits of others.
+-- For a narrow column: whole numbers of up to seven digits, and three or four digits of others.
 function Numbers.cell(number)
     local size = math.abs(number)
-    if size >= 1000 and size < 999999.5 then
+    if size >= 1000 and size < 9999999.5 then
         return ("%.0f"):format(number)
     end
     return Numbers.format(Numbers.rounded(number, (size < 0.01 or size >= 1000) and 3 or 4))

@@ -171,7 +171,12 @@ function Mesh:group() return "fake" end
 function Mesh:isLoaded() return true end
 function Mesh:isGone() return self.gone == true end
 function Mesh:equals(other) return self == other end
-function Mesh:path() return "/fake/" .. self.meshName end
+function Mesh:path()
+    if self.isMade then
+        return nil, self.meshName .. " comes from no file"
+    end
+    return "/fake/" .. self.meshName
+end
 
 function Mesh:load()
     if self.broken then
@@ -283,6 +288,7 @@ function FakeLodsmith.new()
         end
         return nil, path .. ": no such file"
     end
+    function api.openDirectory() return {known[2], known[3]} end
     function api.listDirectory(path)
         if path:find("nowhere") then
             return nil, path .. ": no such directory"
@@ -312,7 +318,9 @@ function FakeLodsmith.new()
     api.definitions = {
         read = function(_, mesh)
             local kept = api.files[mesh.meshName]
-            if type(kept) == "string" then
+            if mesh.isMade then
+                return mesh:path()
+            elseif type(kept) == "string" then
                 return nil, kept
             elseif not kept then
                 return Definition.new(), nil
@@ -320,13 +328,18 @@ function FakeLodsmith.new()
             return kept:copy(), "/fake/" .. mesh.meshName:gsub("mesh$", "loddef")
         end,
         save = function(_, mesh, definition)
-            if api.diskIsFull then
+            if mesh.isMade then
+                return mesh:path()
+            elseif api.diskIsFull then
                 return nil, "no space is left"
             end
             api.files[mesh.meshName] = definition:copy()
             return "/fake/" .. mesh.meshName:gsub("mesh$", "loddef")
         end,
-        path = function(_, mesh) return "/fake/" .. mesh.meshName:gsub("mesh$", "loddef") end,
+        path = function(_, mesh)
+            local path, message = mesh:path()
+            return path and path:gsub("mesh$", "loddef"), message
+        end,
     }
     local function job(finish)
         local handle = {running = true, finish = finish}

@@ -6,16 +6,16 @@ local FakePreview = require("FakePreview")
 local PanelSession = {}
 PanelSession.__index = PanelSession
 
--- options: {host, fill, noPreview}
+-- options: {host, fill, noPreview, graphError}
 function PanelSession.open(options)
     options = options or {}
     local self = setmetatable({api = FakeLodsmith.new()}, PanelSession)
     if not options.noPreview then
         self.preview = FakePreview.new(self.api)
         self.api.preview = self.preview
-        self.api.newGraph = function()
-            self.graph = FakePreview.newGraph()
-            return self.graph
+        self.api.newGraph = function(name)
+            self.graphName, self.graph = name, not options.graphError and FakePreview.newGraph() or nil
+            return self.graph, options.graphError
         end
     end
     lodsmith = self.api

@@ -263,4 +263,24 @@ function Tests.nothingIsToBeDoneWithoutAMesh()
     Expect.equal(session.parts.LevelTitle:getText(), "No level is selected")
 end
 
+function Tests.sliderReadsNoDirectory()
+    local session = require("PanelSession").open():withLevels(20)
+    local reads, list = 0, session.api.listDirectory
+    session.api.listDirectory = function(...)
+        reads = reads + 1
+        return list(...)
+    end
+    for position = 100, 900, 100 do
+        CEGUI.toScrollbar(session.parts.AmountSlider):setScrollPosition(position)
+        session:frame()
+    end
+    Expect.equal(reads, 0)
+    Hand.replace(session.parts.HandMadeFilter, "l")
+    session:frame()
+    Expect.equal(reads, 1)
+    session.state:answer(session.panel:chooseMesh(session.api.known[2]) == "asked" and "discard")
+    session:frame()
+    Expect.equal(reads, 2)
+end
+
 return Tests

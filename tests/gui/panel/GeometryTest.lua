@@ -2,6 +2,8 @@ local Expect = require("Expect")
 
 -- What the skins' edit boxes have around the text, at the most.
 local EDITBOX_MARGIN = 5
+-- CEGUI rounds places and sizes one by one.
+local ROUNDING = 1
 local SIZES = {{1024, 768}, {1280, 1024}, {1920, 1080}, {2560, 1440}}
 
 local function resize(width, height)
@@ -21,7 +23,8 @@ end
 local function overlap(a, b)
     local left, top, right, bottom = areaOf(a)
     local otherLeft, otherTop, otherRight, otherBottom = areaOf(b)
-    return left < otherRight - 0.5 and otherLeft < right - 0.5 and top < otherBottom - 0.5 and otherTop < bottom - 0.5
+    return left < otherRight - ROUNDING and otherLeft < right - ROUNDING and top < otherBottom - ROUNDING
+        and otherTop < bottom - ROUNDING
 end
 
 local function childrenOf(window)
@@ -165,7 +168,7 @@ function Tests.titlesHaveThePanelsFont()
     CEGUI.System:getSingleton():getDefaultGUIContext():setDefaultFont("DejaVuSans-12-NoScale")
     local session = open({fill = false})
     for _, window in ipairs({session.panel.window, session.parts.Prompt}) do
-        Expect.equal(window:getChild("__auto_titlebar__"):getFont():getName(), "DejaVuSans-10-NoScale")
+        Expect.equal(window:getChild("__auto_titlebar__"):getProperty("Font"), "DejaVuSans-10-NoScale")
     end
 end
 

@@ -120,4 +120,24 @@ function Tests.automaticLevelsAreShownAndNotEdited()
     Expect.yes(session.parts.LevelTitle:getText():find("automatic", 1, true))
 end
 
+function Tests.addIsPossibleWhereTheSuggestedValueIsNot()
+    local session = open(1e18)
+    Hand.click(session.parts.Add)
+    Expect.yes(session.parts.Prompt:isVisible())
+    Expect.yes(session.parts.PromptError:getText() ~= "")
+    Hand.enter(session.parts.PromptValue, "30")
+    session:frame()
+    Expect.no(session.parts.Prompt:isVisible())
+    Expect.equal(session.state:levelCount(), 2)
+end
+
+function Tests.addSaysWhyAutomaticLevelsHaveNoPlace()
+    local session = open(20)
+    session.state:setAutomatic(true)
+    session.panel.keyboard:focus(session.parts.LevelList)
+    Hand.key(CEGUI.Key.Insert)
+    Expect.no(session.parts.Prompt:isVisible())
+    Expect.yes(session:message():find("make them manual first", 1, true))
+end
+
 return Tests

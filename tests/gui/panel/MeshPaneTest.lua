@@ -137,4 +137,20 @@ function Tests.hostWithoutFilesHasNoOpen()
     Expect.no(session.parts.FileDialog:isVisible())
 end
 
+function Tests.openedFilesAreToldWhenTheyAreEdited()
+    local opened = {}
+    local session = open({host = {canOpen = true, opened = function(path) table.insert(opened, path) end}})
+    session:withLevels(20)
+    session.state:setAmount("0.9")
+    Expect.equal(session.panel:openMesh("tree.mesh"), "asked")
+    Hand.key(CEGUI.Key.Escape)
+    Expect.equal(#opened, 0)
+    session.panel:openMesh("tree.mesh")
+    Hand.click(session.parts.First)
+    session.panel:open("/fake")
+    session.api.known[3].isMade = true
+    session.panel:openMesh("tree.mesh")
+    Expect.equal(table.concat(opened, " "), "/fake/tree.mesh /fake/cottage.mesh")
+end
+
 return Tests

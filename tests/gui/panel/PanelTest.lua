@@ -254,4 +254,30 @@ function Tests.namesAreNoMarkup()
     Expect.equal(CEGUI.toListbox(session.parts.MeshList):getItemCount(), 4)
 end
 
+-- Another font is the default, and the panel's is not there.
+local function forgetFont()
+    local fonts = CEGUI.FontManager:getSingleton()
+    fonts:createFromFile("DejaVuSans-12-NoScale.font")
+    CEGUI.System:getSingleton():getDefaultGUIContext():setDefaultFont("DejaVuSans-12-NoScale")
+    fonts:destroy("DejaVuSans-10-NoScale")
+    return fonts
+end
+
+function Tests.panelLoadsItsFont()
+    local fonts = forgetFont()
+    local session = open()
+    Expect.yes(fonts:isDefined("DejaVuSans-10-NoScale"))
+    Expect.equal(session.parts.Save:getProperty("Font"), "DejaVuSans-10-NoScale")
+end
+
+function Tests.panelOpensWithoutItsFont()
+    forgetFont()
+    local stub = {isDefined = function() return false end, createFromFile = function() error("no such file") end}
+    local manager = CEGUI.FontManager
+    CEGUI.FontManager = {getSingleton = function() return stub end}
+    local session = open()
+    CEGUI.FontManager = manager
+    Expect.equal(session.parts.Save:getProperty("Font"), "")
+end
+
 return Tests

@@ -186,4 +186,37 @@ function Tests.panelWorksWithoutAPreview()
     Expect.equal(session.parts.Value:getText(), "20")
 end
 
+function Tests.dragEndsWhenTheMouseIsTakenAway()
+    local session = open()
+    local image = session.parts.PreviewImage
+    for _, takeAway in ipairs({
+        function() image:releaseInput() end,
+        function() session.parts.LevelList:activate() end,
+    }) do
+        Hand.point(image, 0.5, 0.5)
+        Hand.down()
+        takeAway()
+        Hand.point(image, 0.7, 0.5)
+        Hand.up()
+        Expect.equal(#session.preview.orbits, 0)
+    end
+    Hand.drag(image, 0.5, 0.5, 0.6, 0.5)
+    Expect.equal(#session.preview.orbits, 1)
+end
+
+function Tests.graphsOfTwoPanelsHaveTwoNames()
+    local session = open()
+    local name = session.graphName
+    session.panel:close()
+    Expect.yes(open().graphName ~= name)
+end
+
+function Tests.panelWorksWithoutAGraphAndSaysWhy()
+    local session = require("PanelSession").open({graphError = "no memory"})
+    Expect.equal(session:message(), "There is no graph: no memory")
+    session:withLevels(20)
+    Hand.click(session.parts.Graph)
+    Expect.equal(session.state:levelCount(), 1)
+end
+
 return Tests

@@ -192,9 +192,7 @@ end
 
 function Tests.levelsAreMeasuredAndTheCurveIsThere()
     local session = open("lantern")
-    if not session.api.analysis then
-        return
-    end
+    Expect.yes(session.api.analysis)
     session:wait("the measurement of the levels", function()
         local row = session.state:row(1)
         return row and row.measured and session.state.curve
@@ -214,6 +212,24 @@ function Tests.directoriesAreListed()
     Expect.yes(session.parts.FileError:getText() ~= "")
     Hand.key(CEGUI.Key.Escape)
     Expect.no(session.parts.FileDialog:isVisible())
+end
+
+function Tests.levelsThatAreNotSavedGoWithThePanel()
+    local session = open()
+    session.state:setAutomatic(false)
+    session.state:addLevel("30")
+    session:settle()
+    session.state:save()
+    local triangles = session.state:row(1).triangles
+    session.state:setAmount("0.95")
+    session:settle()
+    local cottage = session.state.mesh
+    Expect.yes(cottage:triangles(1) < triangles)
+    session.panel:close()
+    session:wait("the file's levels", function()
+        return not session.api.queue:isQueued(cottage)
+    end)
+    Expect.equal(cottage:triangles(1), triangles)
 end
 
 return Tests

@@ -143,4 +143,62 @@ function Tests.worksWithoutAnalysis()
     Expect.equal(state.message, nil)
 end
 
+function Tests.anotherCurveTakesThePlaceOfTheOneThatIsComputed()
+    local state, api = make()
+    api.queue:finish(state.mesh)
+    state:update(1)
+    local first = api.jobs[2]
+    Expect.equal(state.curveJob, first)
+    state:edit(nil, function(definition) return definition:setMetric(api.Metric.Curvature) end)
+    api.queue:finish(state.mesh)
+    state:update(1)
+    Expect.no(first:isRunning())
+    Expect.equal(state.curveJob, api.jobs[4])
+    Expect.yes(state.curveJob:isRunning())
+    api.finishJobs()
+    Expect.equal(state.curveJob, nil)
+    Expect.equal(#state.curve, 32)
+end
+
+function Tests.curveThatIsComputedIsNotBegunAgain()
+    local state, api = make()
+    api.queue:finish(state.mesh)
+    state:update(1)
+    local first = state.curveJob
+    state:setAmount("0.02")
+    api.queue:finish(state.mesh)
+    state:update(1)
+    Expect.equal(state.curveJob, first)
+    Expect.yes(first:isRunning())
+end
+
+function Tests.failedCurveIsTriedAgainAtTheNextChange()
+    local state, api = make()
+    api.queue:finish(state.mesh)
+    local curve = api.analysis.curve
+    local function change()
+        state:setAmount((state:level(1):amount() + 0.01) .. "")
+        api.queue:finish(state.mesh)
+        state:update(1)
+        api.finishJobs()
+    end
+    api.analysis.curve = function(self, mesh, definition, count, done)
+        return curve(self, mesh, definition, count, function()
+            done(nil, "no memory")
+        end)
+    end
+    change()
+    Expect.equal(state.message.text, "No curve: no memory")
+    Expect.equal(state.curveJob, nil)
+    api.analysis.curve = function()
+        return nil, "the analyser is closed"
+    end
+    change()
+    Expect.equal(state.message.text, "No curve: the analyser is closed")
+    Expect.equal(state.curve, nil)
+    api.analysis.curve = curve
+    change()
+    Expect.equal(#state.curve, 32)
+end
+
 return Tests

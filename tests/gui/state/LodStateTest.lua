@@ -288,4 +288,87 @@ function Tests.closedStateHearsNothing()
     Expect.equal(state.message, message)
 end
 
+function Tests.closingTakesUnsavedLevelsBack()
+    local state, api = make(20)
+    state:setAmount("0.4")
+    api.queue:finish(state.mesh)
+    state:close()
+    Expect.equal(#api.applied, 2)
+    Expect.yes(api.applied[2].mesh:equals(api.known[1]))
+    Expect.yes(api.applied[2].definition:isAutomatic())
+end
+
+function Tests.closingCutsGenerationOff()
+    local state, api = make(20)
+    state:setAmount("0.4")
+    state:setAmount("0.5001")
+    local cancelled = 0
+    local cancel = api.queue.cancel
+    api.queue.cancel = function(...)
+        cancelled = cancelled + 1
+        return cancel(...)
+    end
+    state:close()
+    Expect.equal(cancelled, 1)
+    Expect.equal(#api.applied, 2)
+    Expect.yes(api.applied[2].definition:isAutomatic())
+end
+
+function Tests.closingLeavesSavedLevels()
+    local state, api = make(20)
+    state:setAmount("0.4")
+    api.queue:finish(state.mesh)
+    state:save()
+    state:close()
+    Expect.equal(#api.applied, 1)
+end
+
+function Tests.cutOffUndoDoesNotLeaveWhatWasUndone()
+    local state, api = make(20)
+    state:setAmount("0.4")
+    api.queue:finish(state.mesh)
+    state:undo()
+    Expect.yes(state:chooseMesh(api.known[2]))
+    Expect.equal(#api.applied, 3)
+    Expect.yes(api.applied[3].mesh:equals(api.known[1]))
+end
+
+function Tests.chosenIsToldOnceTheMeshIsEdited()
+    local state, api = make(20)
+    local told = {}
+    local function chosen(mesh)
+        Expect.yes(state.mesh:equals(mesh))
+        table.insert(told, mesh:name())
+    end
+    state:setAmount("0.8")
+    Expect.equal(state:openMesh("/fake/tree.mesh", chosen), "asked")
+    state:answer("cancel")
+    Expect.equal(#told, 0)
+    api.known[3].broken = true
+    state:openMesh("/fake/tree.mesh", chosen)
+    Expect.refused("broken", state:answer("discard"))
+    Expect.equal(#told, 0)
+    api.known[3].broken = nil
+    state:openMesh("/fake/tree.mesh", chosen)
+    state:answer("discard")
+    state:openMesh("/fake/tree.mesh", chosen)
+    state:openDirectory("/fake", chosen)
+    Expect.equal(table.concat(told, " "), "tree.mesh tree.mesh cottage.mesh")
+end
+
+function Tests.meshThatComesFromNoFileIsEditedAndNotSaved()
+    local state, api = make(20)
+    api.known[2].isMade = true
+    Expect.yes(state:chooseMesh(api.known[2]))
+    Expect.yes(state.definition:isAutomatic())
+    Expect.yes(state:makeManual())
+    Expect.yes(state:setAmount("0.02"))
+    Expect.yes(api.applied[1].mesh:equals(api.known[2]))
+    Expect.refused("not saved: cottage.mesh comes from no file", state:save())
+    Expect.yes(state:isDirty())
+    state:reload()
+    Expect.yes(state:answer("discard"))
+    Expect.no(state:isDirty())
+end
+
 return Tests

@@ -38,4 +38,13 @@ function Tests.countsHavePlurals()
     Expect.equal(Numbers.count(0, "vertex", "vertices"), "0 vertices")
 end
 
+function Tests.narrowColumnsHaveFewDigits()
+    for number, text in pairs({
+        [0.000720397] = "0.00072", [0.0000720397] = "7.2e-05", [0.96875] = "0.9688", [20.12345] = "20.12", [0] = "0",
+        [1234.56] = "1235", [200000] = "200000", [1234567] = "1234567", [12345678] = "1.23e7", [1] = "1",
+    }) do
+        Expect.equal(Numbers.cell(number), text)
+    end
+end
+
 return Tests
