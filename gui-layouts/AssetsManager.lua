@@ -31,7 +31,8 @@ end
 -- Opens the panel and returns it; lodsmith.panel is the open one. An error when there is one, or a layout is missing.
 -- options: {parent = window or nil for the root window; fill = true: it fills the parent, else it is a window in it;
 --           preview = lodsmith.preview or nil;
---           host = {canOpen = true: files may be opened; recentFiles = function() -> paths; opened = function(path)} or nil}
+--           host = {canOpen = true: files may be opened; recentFiles = function() -> paths; opened = function(path);
+--           check = function(path) -> true | nil, message, before a file is loaded} or nil}
 -- opened() hears of the mesh that was opened once it is the one that is edited.
 local function open(options)
     if lodsmith.panel then
@@ -42,7 +43,7 @@ local function open(options)
         panel:tellError(message)
     end)
     panel.kit = Kit.new(panel.guard, panelFont())
-    panel.state = LodState.new(lodsmith)
+    panel.state = LodState.new(lodsmith, panel.host.check)
     panel.panes, panel.dialogs = {}, {}
     panel.errorsWentTo = lodsmith.onError
     local built, message = pcall(panel.build, panel, options)
@@ -150,7 +151,11 @@ function Panel:connectMessages()
     local state, kit, parts = self.state, self.kit, self.parts
     local function show(kind, text)
         kit:setMessage(parts.Message, kind, (text:gsub("\n", "; ")))
-        parts.Message:setTooltipText(text)
+        -- Tooltips take markup, and names of files may look like it.
+        parts.Message:setTooltipText((text:gsub("[\\%[]", "\\%0")))
+        if kind == "error" and not self.isTelling then
+            CEGUI.Logger:getSingleton():logEvent("Lodsmith: " .. text, CEGUI.Warnings)
+        end
     end
     state:on("message", show)
     -- What went wrong while the parts were made.
@@ -174,7 +179,9 @@ end
 -- An error in a handler, with its place.
 function Panel:tellError(message)
     CEGUI.Logger:getSingleton():logEvent("Lodsmith: " .. message, CEGUI.Errors)
+    self.isTelling = true
     self.state:say("error", (message:match("^[^\n]*")))
+    self.isTelling = false
 end
 
 -- What hosts and scripts call -----------------------------------------------------------------------------------------
@@ -230,7 +237,15 @@ function Panel:prompt(options)
 end
 
 -- Calls `leave` when there is nothing to lose, or when the artist has said what becomes of it.
+-- What is typed counts, and other dialogs are dismissed.
 function Panel:askToLeave(leave)
+    for _, dialog in ipairs(self.dialogs) do
+        dialog:close()
+    end
+    local committed, message = self.definitionPane:commit()
+    if not committed then
+        return self.state:told(nil, message)
+    end
     return self.state:told(self.state:afterSaving("The panel is to be closed.", function()
         leave()
         return true

@@ -79,14 +79,22 @@ function DefinitionPane:connectDefinition()
     end)
 end
 
--- What is typed counts first; what cannot be is not passed over.
-function DefinitionPane:save()
+-- Takes over what is typed; nil and the reason when that cannot be.
+function DefinitionPane:commit()
     for _, field in ipairs({self.value, self.amount}) do
         field:commit()
         if field.message then
-            self.state:say("error", "not saved: " .. field.message)
-            return
+            return nil, field.message
         end
+    end
+    return true
+end
+
+function DefinitionPane:save()
+    local committed, message = self:commit()
+    if not committed then
+        self.state:say("error", "not saved: " .. message)
+        return
     end
     self.state:told(self.state:save())
 end
@@ -244,7 +252,7 @@ function DefinitionPane:refreshLevel()
     kit:setText(parts.LevelTitle, title .. (row and not isEditable and " (automatic)" or ""))
     local method, methodIndex = Words.find(self.words.methods, row and row.method)
     self.hint = method and isReduced and method.hint:format(method.of and state.info[method.of] or 0) or nil
-    local key = state.mesh and state.mesh:name() .. " " .. tostring(state.selected) or ""
+    local key = state.mesh and state.mesh:group() .. "/" .. state.mesh:name() .. " " .. tostring(state.selected) or ""
     self.value:refresh(key, row and Numbers.format(row.value) or "")
     self.amount:refresh(key .. " " .. tostring(methodIndex), row and Numbers.format(row.amount) or "")
     kit:chooseInCombobox(self.method, methodIndex)

@@ -7,6 +7,7 @@ local Kit = {}
 Kit.__index = Kit
 
 local AUTO_PREFIX = "__auto_"
+local MOST_CHARACTERS = 1024 -- of a path; CEGUI takes seconds over what is far longer
 local TITLE_BAR = "__auto_titlebar__"
 
 function Kit.new(guard, font)
@@ -38,6 +39,9 @@ end
 function Kit:dress(window)
     window:setWantsMultiClickEvents(false)
     window:setTextParsingEnabled(false)
+    if window:getType():find("Editbox") then
+        CEGUI.toEditbox(window):setMaxTextLength(MOST_CHARACTERS)
+    end
     if self.font then
         window:setFont(self.font)
     end

@@ -16,8 +16,9 @@ end
 local UNDO_STEPS = 200
 
 -- api: the table lodsmith, whole or a stand-in
-function LodState.new(api)
-    local self = setmetatable({api = api, listeners = {}, undoSteps = {}, redoSteps = {}}, LodState)
+-- checkFile: function(path) -> true | nil, message: whether a mesh file may be loaded; nil: all may
+function LodState.new(api, checkFile)
+    local self = setmetatable({api = api, checkFile = checkFile, listeners = {}, undoSteps = {}, redoSteps = {}}, LodState)
     self.scheduler = Scheduler.new({
         apply = function(mesh, definition)
             return api.manager:apply(mesh, definition)
@@ -138,7 +139,10 @@ end
 
 -- chosen: as for chooseMesh()
 function LodState:openMesh(path, chosen)
-    local mesh, message = self.api.openMesh(path)
+    local mesh, message = self:passesCheck(path)
+    if mesh then
+        mesh, message = self.api.openMesh(path)
+    end
     if not mesh then
         return nil, message
     end
@@ -158,11 +162,21 @@ function LodState:openDirectory(path, chosen)
     return self:chooseMesh(meshes[1], chosen)
 end
 
+function LodState:passesCheck(path)
+    if not path or not self.checkFile then
+        return true
+    end
+    return self.checkFile(path)
+end
+
 function LodState:setMesh(mesh)
     if mesh:isGone() then
         return nil, "the mesh is gone"
     end
-    local loaded, message = mesh:load()
+    local loaded, message = self:passesCheck(not mesh:isLoaded() and mesh:path() or nil)
+    if loaded then
+        loaded, message = mesh:load()
+    end
     if not loaded then
         return nil, message
     end

@@ -48,8 +48,8 @@ fs::path screenshotFile()
 
 } // namespace
 
-Editor::Editor(Ogre::Root& root, Window& window, Settings& settings)
-    : mRoot(root), mWindow(window), mSettings(settings),
+Editor::Editor(Ogre::Root& root, Window& window, Settings& settings, MeshProbe& probe)
+    : mRoot(root), mWindow(window), mSettings(settings), mProbe(probe),
       mControl(std::make_shared<Control>(Control{window, settings, {}, false, 0})),
       mManager(mDefinitions, mQueue, editorPolicy()), mGui(window.target())
 {
@@ -75,6 +75,7 @@ Result<Done> Editor::openPanel()
     PanelHost host{mGui.lua(), &mGui.root(), mDefinitions, mManager, mQueue, Gui::kSkin};
     host.fillsParent = true;
     host.canOpen = true;
+    host.check = [this](const std::string& file) { return mProbe.check(file); };
     host.recentFiles = [this] { return mSettings.recentFiles; };
     host.opened = [this](const std::string& file) { mSettings.addRecentFile(file); };
     auto panel = AssetsManagerPanel::open(host);
@@ -116,7 +117,7 @@ void Editor::handle(const SDL_Event& event)
 {
     const SDL_Keycode key = event.type == SDL_KEYDOWN ? event.key.keysym.sym : SDL_Keycode(SDLK_UNKNOWN);
     if (event.type == SDL_QUIT || (key == SDLK_q && (event.key.keysym.mod & KMOD_CTRL)))
-        return runInPanel("lodsmith.panel:askToLeave(function() lodsmith.editor:quit() end)");
+        return leave();
     if (event.type == SDL_DROPFILE) {
         runInPanel("lodsmith.panel:open(...)", event.drop.file);
         SDL_free(event.drop.file);
@@ -180,10 +181,19 @@ bool Editor::work()
     return mPanel->update(float(seconds));
 }
 
-void Editor::runInPanel(const char* code, const std::string& argument)
+void Editor::leave()
 {
-    if (const auto done = runLua(mGui.lua(), code, argument); !done)
+    // A script may have closed the panel, and with it what could ask.
+    if (!runInPanel("lodsmith.panel:askToLeave(function() lodsmith.editor:quit() end)"))
+        mControl->isEnding = true;
+}
+
+bool Editor::runInPanel(const char* code, const std::string& argument)
+{
+    const auto done = runLua(mGui.lua(), code, argument);
+    if (!done)
         tell(describe(done.error()));
+    return done.ok();
 }
 
 template <class Work>

@@ -2,6 +2,7 @@
 
 #include "Control.h"
 #include "Gui.h"
+#include "MeshProbe.h"
 #include "Options.h"
 #include "Script.h"
 
@@ -21,8 +22,8 @@ namespace lodsmith::editor {
 /// The program between its first frame and its last: the panel in the window, what it works on, and the script.
 class Editor {
 public:
-    /// Throws what OGRE and CEGUI throw. The three live longer than the editor.
-    Editor(Ogre::Root& root, Window& window, Settings& settings);
+    /// Throws what OGRE and CEGUI throw. The four live longer than the editor.
+    Editor(Ogre::Root& root, Window& window, Settings& settings, MeshProbe& probe);
 
     /// Opens the panel, the files and the script. Errors: those of AssetsManagerPanel::open() and Script::load(). Files that
     /// cannot be opened are told in the panel.
@@ -34,8 +35,10 @@ private:
     using Clock = std::chrono::steady_clock;
 
     Result<Done> openPanel();
-    /// Runs Lua with a string as its argument. What goes wrong is shown in the panel.
-    void runInPanel(const char* code, const std::string& argument = {});
+    /// Runs Lua with a string as its argument. False when something went wrong, which is shown in the panel.
+    bool runInPanel(const char* code, const std::string& argument = {});
+    /// Asks about unsaved changes first.
+    void leave();
     /// Sleeps while nothing happens, then passes on what the user did. False when that was nothing.
     bool handleEvents();
     void handle(const SDL_Event& event);
@@ -54,6 +57,7 @@ private:
     Ogre::Root& mRoot;
     Window& mWindow;
     Settings& mSettings;
+    MeshProbe& mProbe;
     std::shared_ptr<Control> mControl;
     LodDefinitionManager mDefinitions;
     QueuedProgressiveMeshGenerator mQueue;

@@ -7,6 +7,7 @@
 #include <SDL_syswm.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace lodsmith::editor {
 
@@ -14,6 +15,8 @@ namespace {
 
 constexpr int kUsualWidth = 1280;
 constexpr int kUsualHeight = 960;
+// No screen reaches as far; SDL's sums overflow beyond.
+constexpr int kFarthest = 1 << 16;
 
 Error unavailable(const std::string& what)
 {
@@ -44,7 +47,9 @@ WindowPlace usualPlace()
 
 WindowPlace startingPlace(const std::optional<WindowPlace>& before)
 {
-    if (before && before->width >= Window::kMinWidth && before->height >= Window::kMinHeight && isVisible(*before))
+    if (before && std::abs(before->x) < kFarthest && std::abs(before->y) < kFarthest
+        && std::max(before->width, before->height) < kFarthest && before->width >= Window::kMinWidth
+        && before->height >= Window::kMinHeight && isVisible(*before))
         return *before;
     return usualPlace();
 }
@@ -64,7 +69,8 @@ Result<std::unique_ptr<Window>> Window::open(const std::optional<WindowPlace>& b
 {
     // OGRE's windows on Linux are those of X.
     SDL_SetHint(SDL_HINT_VIDEODRIVER, "x11");
-    SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "0");
+    // Ctrl+C at the terminal ends the program at once, also while a script runs in circles; a question would keep it.
+    SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
     if (SDL_Init(SDL_INIT_VIDEO) != 0)
         return unavailable("there is no X display to open a window on; is DISPLAY set?");
     const WindowPlace place = startingPlace(before);

@@ -28,9 +28,9 @@ Settings settingsFrom(const std::filesystem::path& file)
 }
 
 /// The exit status.
-int runEditor(Ogre::Root& root, Window& window, Settings& settings, const Options& options)
+int runEditor(Ogre::Root& root, Window& window, Settings& settings, MeshProbe& probe, const Options& options)
 {
-    Editor editor(root, window, settings);
+    Editor editor(root, window, settings, probe);
     if (const auto opened = editor.open(options); !opened) {
         say(describe(opened.error()));
         return kFailed;
@@ -42,6 +42,12 @@ int edit(const Options& options)
 {
     const std::filesystem::path file = settingsFile();
     Settings settings = settingsFrom(file);
+    // While there is one thread.
+    const auto probe = MeshProbe::start();
+    if (!probe) {
+        say(describe(probe.error()));
+        return kFailed;
+    }
     auto window = Window::open(settings.window);
     if (!window) {
         say(describe(window.error()));
@@ -51,7 +57,7 @@ int edit(const Options& options)
     try {
         engine.start();
         window.value()->attach(engine.root());
-        const int status = runEditor(engine.root(), *window.value(), settings, options);
+        const int status = runEditor(engine.root(), *window.value(), settings, *probe.value(), options);
         settings.window = window.value()->place();
         if (!file.empty())
             if (const auto written = writeSettings(file, settings); !written)

@@ -86,8 +86,13 @@ void prepareGroup(const Ogre::String& directory, const Ogre::String& file)
     auto& groups = Ogre::ResourceGroupManager::getSingleton();
     if (!groups.resourceGroupExists(directory)) {
         groups.createResourceGroup(directory, false);
-        groups.addResourceLocation(directory, "FileSystem", directory);
-        groups.initialiseResourceGroup(directory);
+        try {
+            groups.addResourceLocation(directory, "FileSystem", directory);
+            groups.initialiseResourceGroup(directory);
+        } catch (...) { // half of it would count as whole the next time
+            groups.destroyResourceGroup(directory);
+            throw;
+        }
     } else if (!groups.resourceExists(directory, file))
         listAgain(directory, directory);
 }

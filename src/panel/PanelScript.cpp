@@ -219,6 +219,11 @@ void PanelScript::pushOptions()
     lua_pushlightuserdata(mState, this);
     lua_pushcclosure(mState, openedForLua, 1);
     lua_setfield(mState, -2, "opened");
+    if (mHost.check) {
+        lua_pushlightuserdata(mState, this);
+        lua_pushcclosure(mState, checkForLua, 1);
+        lua_setfield(mState, -2, "check");
+    }
     lua_setfield(mState, -2, "host");
 }
 
@@ -258,6 +263,18 @@ int PanelScript::openedForLua(lua_State* state)
         if (script && script->mHost.opened)
             script->mHost.opened(std::string(path, length));
         return true;
+    });
+}
+
+int PanelScript::checkForLua(lua_State* state)
+{
+    std::size_t length = 0;
+    const char* path = luaL_checklstring(state, 1, &length);
+    const PanelScript* script = ofUpvalue(state);
+    return lua::call(state, [&]() -> lua::Returned {
+        if (!script)
+            return lua::Returned::failure("the panel is gone");
+        return script->mHost.check(std::string(path, length));
     });
 }
 

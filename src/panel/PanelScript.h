@@ -47,6 +47,7 @@ private:
     static int isOpenInLua(lua_State* state);
     static int recentFilesForLua(lua_State* state);
     static int openedForLua(lua_State* state);
+    static int checkForLua(lua_State* state);
     static void pushPanel(lua_State* state, void* script);
     static PanelScript* ofUpvalue(lua_State* state);
     void pushOptions();

@@ -126,6 +126,29 @@ TEST_F(StartTest, RemembersItsPlace)
     EXPECT_THAT(contentOf(mDirectory / "home/lodsmith/editor.json"), HasSubstr("\"width\": 1100"));
 }
 
+TEST_F(StartTest, SurvivesABrokenSkeleton)
+{
+    const VirtualDisplay display;
+    const fs::path models = mDirectory / "models";
+    fs::copy(LODSMITH_MEDIA_DIR "/drake", models, fs::copy_options::recursive);
+    // The first bone's number, its rest position and what follows.
+    std::string skeleton = contentOf(models / "drake.skeleton");
+    for (std::size_t at = 60; at < 400; ++at)
+        skeleton[at] = char(skeleton[at] ^ 0xff);
+    std::ofstream(models / "drake.skeleton", std::ios::binary) << skeleton;
+    const std::string check = "assert(lodsmith.panel.state.mesh == nil) "
+                              "assert(lodsmith.panel.state.message.text:find('drake.mesh')) lodsmith.editor:quit()";
+    EXPECT_EQ(run("", "--script '" + script(check).string() + "' '" + (models / "drake.mesh").string() + "'"), 0)
+        << output();
+}
+
+TEST_F(StartTest, EndsAtOnceWhenItIsTold)
+{
+    const VirtualDisplay display;
+    const std::string circle = "lodsmith.panel.state.isDirty = function() return true end while true do end";
+    EXPECT_EQ(run("timeout -s TERM 5", "--script '" + script(circle).string() + "'"), 124);
+}
+
 TEST_F(StartTest, TellsWhatCannotBeOpenedInThePanel)
 {
     const VirtualDisplay display;

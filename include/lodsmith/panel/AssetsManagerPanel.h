@@ -42,6 +42,8 @@ struct PanelHost {
     bool canOpen = false;
     /// Paths of files opened lately, the last first; may be empty.
     std::function<std::vector<std::string>()> recentFiles = {};
+    /// Asked before a mesh file is loaded, by its path, whether it may be; empty: all may. OGRE ends the process over some broken files.
+    std::function<Result<Done>(const std::string&)> check = {};
     /// Told the path of each file that was opened; may be empty.
     std::function<void(const std::string&)> opened = {};
 };
