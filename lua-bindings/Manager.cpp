@@ -1,6 +1,6 @@
 #include "Definition.h"
-#include <lodsmith/lua/Numbers.h>
 #include "Services.h"
+#include <lodsmith/lua/Numbers.h>
 
 #include <lodsmith/ogre/LodConfig.h>
 

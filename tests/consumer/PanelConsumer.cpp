@@ -12,9 +12,10 @@ int main(int, char** argv)
     lua_State* const state = luaL_newstate();
     luaL_openlibs(state);
     lodsmith::openLuaBindings(state);
-    const bool works = luaL_dostring(state, "local definition = lodsmith.newDefinition() definition:setAutomatic(false) "
-                                            "assert(definition:addLevel(20))")
-                       == 0;
+    const bool works =
+        luaL_dostring(state, "local definition = lodsmith.newDefinition() definition:setAutomatic(false) "
+                             "assert(definition:addLevel(20))")
+        == 0;
     if (!works)
         std::fprintf(stderr, "%s\n", lua_tostring(state, -1));
     lua_close(state);

@@ -109,7 +109,8 @@ TEST_F(LodManagerEntityTest, HandMadeLevelsReachEntitiesThatAreInitialisedAgain)
     ASSERT_EQ(mEntity->getNumManualLodLevels(), 2u);
     EXPECT_EQ(mEntity->getManualLodLevel(1)->getMesh()->getName(), "far.mesh");
     for (const std::size_t level : {0u, 1u})
-        EXPECT_EQ(mEntity->getManualLodLevel(level)->getParentNode(), mEntity->getParentNode()) << "is drawn where it is";
+        EXPECT_EQ(mEntity->getManualLodLevel(level)->getParentNode(), mEntity->getParentNode())
+            << "is drawn where it is";
 
     edit(handMade({{"30", "far.mesh"}}));
     expectShowable();
