@@ -3,6 +3,10 @@
 #include "../cli/ChildProcess.h"
 #include "../cli/OgreSession.h"
 
+#include <OgreSkeleton.h>
+#include <OgreSubMesh.h>
+
+#include <cmath>
 #include <csignal>
 #include <string>
 
@@ -33,12 +37,38 @@ bool receive(int socket, std::string& message)
     return length > 0;
 }
 
+Result<Done> checkBones(const Ogre::Mesh::VertexBoneAssignmentList& assignments, const Ogre::Skeleton& skeleton)
+{
+    for (const auto& [vertex, assignment] : assignments)
+        if (assignment.boneIndex >= skeleton.getNumBones())
+            return Error{ErrorCode::BadFile, "vertex " + std::to_string(vertex) + " follows bone "
+                                                 + std::to_string(assignment.boneIndex) + ", and the skeleton has "
+                                                 + std::to_string(skeleton.getNumBones())};
+    return Done{};
+}
+
+/// What OGRE takes, and asserts about, or reads beyond, when it draws.
+Result<Done> checkDrawable(const Ogre::Mesh& mesh)
+{
+    if (!std::isfinite(mesh.getBoundingSphereRadius()))
+        return Error{ErrorCode::InvalidGeometry, "the radius of the mesh's bounds is no number"};
+    if (!mesh.hasSkeleton() || !mesh.getSkeleton())
+        return Done{};
+    Result<Done> checked = checkBones(mesh.getBoneAssignments(), *mesh.getSkeleton());
+    for (const Ogre::SubMesh* subMesh : mesh.getSubMeshes())
+        if (checked)
+            checked = checkBones(subMesh->getBoneAssignments(), *mesh.getSkeleton());
+    return checked;
+}
+
 Result<cli::Json> load(const std::filesystem::path& path)
 {
     cli::OgreSession session;
     const auto mesh = session.load(path);
     if (!mesh)
         return mesh.error();
+    if (const auto checked = checkDrawable(*mesh.value()); !checked)
+        return checked.error();
     return cli::Json::object();
 }
 

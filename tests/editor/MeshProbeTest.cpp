@@ -47,6 +47,21 @@ TEST_F(MeshProbeTest, SaysWhatIsWrongAndLivesOn)
     EXPECT_TRUE(mProbe->check(file("good.mesh", mGood)));
 }
 
+TEST_F(MeshProbeTest, RefusesBonesThatTheSkeletonDoesNotHave)
+{
+    fs::copy(LODSMITH_MEDIA_DIR "/drake/drake.skeleton", mDirectory.path());
+    ASSERT_TRUE(mProbe->check(file("drake.mesh", mGood)));
+    // A chunk of a bone assignment: M_MESH_BONE_ASSIGNMENT, 16 bytes, a vertex, a bone and a weight.
+    std::string other = mGood;
+    const std::string chunk("\0\x70\x10\0\0\0", 6);
+    const std::size_t at = other.find(chunk);
+    ASSERT_NE(at, std::string::npos);
+    other[at + chunk.size() + 5] = '\x7f';
+    const auto checked = mProbe->check(file("drake.mesh", other));
+    ASSERT_FALSE(checked);
+    EXPECT_THAT(describe(checked.error()), HasSubstr("the skeleton has 24"));
+}
+
 TEST_F(MeshProbeTest, SurvivesWhateverABrokenByteDoesToOgre)
 {
     // Chunk sizes, counts and types, each in turn.
