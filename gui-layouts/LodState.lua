@@ -233,6 +233,7 @@ function LodState:setBaseline(definition, path)
     self.undoSteps, self.redoSteps, self.gesture = {}, {}, nil
     self.hasApplied = false
     self.automatic = nil
+    self.isWarned = false
 end
 
 function LodState:isDirty()
@@ -249,15 +250,31 @@ function LodState:save()
     if #errors > 0 then
         return nil, "not saved: " .. table.concat(errors, "; ")
     end
+    if self:isOvertaken() and not self.isWarned then
+        self.isWarned = true
+        return nil, "not saved: the file was changed by another program; read it again, or save once more to replace it"
+    end
     local path, message = self.api.definitions:save(self.mesh, self.definition)
     if not path then
         return nil, "not saved: " .. message
     end
-    self.saved, self.path = self.definition:copy(), path
+    self.saved, self.path, self.isWarned = self.definition:copy(), path, false
     self:endGesture()
     self:say("info", "Saved " .. path)
     self:emit("definition")
     return true
+end
+
+-- Whether the file says something else than when it was read or saved here.
+function LodState:isOvertaken()
+    if not self.api.definitions:path(self.mesh) then
+        return false
+    end
+    local present = self.api.definitions:read(self.mesh)
+    if present then
+        present:sortLevels()
+    end
+    return not present or not present:equals(self.saved)
 end
 
 -- Reads the definition again; "asked" when changes would be lost.

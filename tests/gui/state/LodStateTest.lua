@@ -371,4 +371,19 @@ function Tests.meshThatComesFromNoFileIsEditedAndNotSaved()
     Expect.no(state:isDirty())
 end
 
+function Tests.whatAnotherProgramHasSavedIsNotReplacedUnasked()
+    local state, api = make(20)
+    Expect.yes(state:setAmount("0.7"))
+    local others = state.definition:copy()
+    others:addLevel(90)
+    api.files["castle.mesh"] = others
+    Expect.refused("changed by another program", state:save())
+    Expect.yes(state:isDirty())
+    Expect.equal(api.files["castle.mesh"]:levelCount(), 2)
+    Expect.yes(state:save())
+    Expect.equal(api.files["castle.mesh"]:levelCount(), 1)
+    Expect.yes(state:setAmount("0.8"))
+    Expect.yes(state:save())
+end
+
 return Tests
