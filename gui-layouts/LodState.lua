@@ -189,6 +189,7 @@ function LodState:setMesh(mesh)
         return nil, reason
     end
     self:dropMesh()
+    self:say("info", "")
     self.mesh = mesh
     self:setBaseline(definition, path)
     self:forgetFigures(info)

@@ -135,6 +135,10 @@ Result<Done> Window::screenshot(const std::filesystem::path& file)
 {
     try {
         mTarget->writeContentsToFile(file.string());
+        // OGRE does not notice a full disk.
+        std::error_code error;
+        if (std::filesystem::file_size(file, error) == 0 || error)
+            return Error{ErrorCode::Io, "could not be written", file.string()};
         return Done{};
     } catch (const Ogre::Exception& exception) {
         return Error{ErrorCode::Io, exception.getDescription(), file.string()};

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include <exception>
+#include <fstream>
 #include <iostream>
 
 namespace lodsmith::editor {
@@ -40,6 +41,10 @@ int runEditor(Ogre::Root& root, Window& window, Settings& settings, MeshProbe& p
 
 int edit(const Options& options)
 {
+    if (!options.log.empty() && !std::ofstream(options.log, std::ios::app)) {
+        say(options.log.string() + ": cannot be written");
+        return kFailed;
+    }
     const std::filesystem::path file = settingsFile();
     Settings settings = settingsFrom(file);
     // While there is one thread.

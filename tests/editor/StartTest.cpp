@@ -53,6 +53,12 @@ TEST_F(StartTest, SaysSoWhenThereIsNoDisplay)
     EXPECT_THAT(output(), HasSubstr("lodsmith-editor: there is no X display"));
 }
 
+TEST_F(StartTest, SaysSoWhenItsLogCannotBeWritten)
+{
+    EXPECT_EQ(run("", "--log '" + (mDirectory / "none" / "log").string() + "'"), 1);
+    EXPECT_THAT(output(), HasSubstr("none/log: cannot be written"));
+}
+
 TEST_F(StartTest, EndsWithTheScriptThatAsksForIt)
 {
     const VirtualDisplay display;
