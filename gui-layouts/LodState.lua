@@ -189,7 +189,9 @@ function LodState:setMesh(mesh)
         return nil, reason
     end
     self:dropMesh()
-    self:say("info", "")
+    if self.message and self.message.kind == "error" then
+        self:say("info", "")
+    end
     self.mesh = mesh
     self:setBaseline(definition, path)
     self:forgetFigures(info)

@@ -57,7 +57,7 @@ WindowPlace startingPlace(const std::optional<WindowPlace>& before)
 /// OGRE ends the process where there is no OpenGL. SDL says so.
 bool hasOpenGl(SDL_Window* window)
 {
-    SDL_GLContext const context = SDL_GL_CreateContext(window);
+    SDL_GLContext context = SDL_GL_CreateContext(window);
     if (context)
         SDL_GL_DeleteContext(context);
     return context != nullptr;
