@@ -2,7 +2,7 @@
 #include "Services.h"
 #include <lodsmith/lua/Numbers.h>
 
-#include <lodsmith/ogre/LodConfig.h>
+#include <lodsmith/ogre/AutomaticLods.h>
 
 #include <cmath>
 #include <cstdint>
@@ -12,6 +12,21 @@ namespace lodsmith::lua {
 
 namespace {
 
+/// Of candidate levels those that the mesh has, or all when it has none; without the nearest ones where these are too many.
+std::vector<LodLevel> chosenLevels(const LodConfig& config)
+{
+    std::vector<LodLevel> levels;
+    for (const LodLevel& level : config.levels)
+        for (Ogre::ushort i = 1; i < config.mesh->getNumLodLevels(); ++i)
+            if (config.mesh->getLodLevel(i).userValue == level.value)
+                levels.push_back(level);
+    if (levels.empty())
+        levels = config.levels;
+    if (levels.size() > config.mostLevels)
+        levels.erase(levels.begin(), levels.end() - config.mostLevels);
+    return levels;
+}
+
 /// An automatic configuration as levels that somebody may edit.
 LodDefinition explicitDefinition(const LodConfig& config)
 {
@@ -19,7 +34,7 @@ LodDefinition explicitDefinition(const LodConfig& config)
     definition.automatic = false;
     definition.strategy = LodStrategy::PixelCount;
     definition.metric = config.options.metric;
-    for (const LodLevel& level : config.levels) {
+    for (const LodLevel& level : config.mostLevels > 0 ? chosenLevels(config) : config.levels) {
         LodLevelDefinition explicitLevel;
         explicitLevel.value = level.value;
         explicitLevel.target = level.target;

@@ -50,9 +50,11 @@ public:
             return readMetric(value);
         if (key == "levels")
             return readLevels(value);
-        if (key == "quality")
-            return readNumber(value, mSettings.policy.automaticLods.quality, AutomaticLods::kMinQuality,
-                              AutomaticLods::kMaxQuality);
+        if (key == "method")
+            return readMethod(value);
+        if (key == "pixels")
+            return readNumber(value, mSettings.policy.automaticLods.pixels, AutomaticLods::kMinPixels,
+                              AutomaticLods::kMaxPixels);
         if (key == "reinitialise_entities")
             return readFlag(value, mSettings.policy.reinitialiseEntities);
         if (key == "min_triangles")
@@ -72,7 +74,7 @@ public:
         if (key == "cache_directory")
             return readPath(value, mSettings.cacheDirectory);
         return "'" + std::string(key)
-               + "' is no setting; there are enabled, automatic, metric, levels, quality, replace_levels, "
+               + "' is no setting; there are enabled, automatic, method, pixels, levels, metric, replace_levels, "
                  "reinitialise_entities, min_triangles, group, name, workers, memory_mib, frame_ms, cache_mib and "
                  "cache_directory";
     }
@@ -123,10 +125,19 @@ private:
         return "";
     }
 
+    std::string readMethod(std::string_view value)
+    {
+        const bool isClassic = value == "classic";
+        if (isClassic)
+            mSettings.policy.automaticLods.method = AutomaticLods::Method::Classic;
+        return isClassic || value == "balanced" ? "" : refuse(value, "balanced or classic");
+    }
+
     std::string readLevels(std::string_view value)
     {
-        unsigned& levels = mSettings.policy.automaticLods.levels;
+        unsigned levels = 0;
         const std::string trouble = readWhole(value, levels, AutomaticLods::kMaxLevels);
+        mSettings.policy.automaticLods.levels = levels;
         return trouble.empty() && levels == 0 ? refuse(value, "at least 1; automatic=no switches automatic levels off")
                                               : trouble;
     }

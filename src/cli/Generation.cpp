@@ -123,6 +123,8 @@ Json levelRecords(const MeshPlan& plan, const LodReport& report)
     std::size_t stored = 0;
     for (std::size_t i = 0; i < report.levels.size(); ++i) {
         const LodLevelReport& level = report.levels[i];
+        if (level.skipped && plan.config.mostLevels > 0)
+            continue; // a candidate that was not chosen is nobody's business
         const std::string& handMade = plan.config.levels[i].manualMeshName;
         stored += level.skipped ? 0 : 1;
         if (level.manual)

@@ -8,6 +8,7 @@
 
 #include <lodsmith/core/Progress.h>
 #include <lodsmith/core/Simplify.h>
+#include <lodsmith/ogre/AutomaticLods.h>
 
 #include <filesystem>
 #include <optional>
@@ -21,7 +22,8 @@ struct GenerateSettings {
     DefinitionChoice definition;   ///< where there is one, levels, strategy, metric, weights and locks are its own
     std::vector<LevelSpec> levels; ///< empty for the automatic configuration
     std::string strategy;          ///< OGRE's name; not used by the automatic configuration
-    std::optional<Metric> metric;  ///< nothing: quadric, and curvature for the automatic configuration
+    AutomaticLods automatic;       ///< but for the metric
+    std::optional<Metric> metric;  ///< nothing: quadric, and for the automatic configuration its own
     AttributeWeights weights;
     bool lockBorders = false;
     bool lockSeams = false;

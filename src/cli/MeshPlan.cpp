@@ -58,7 +58,9 @@ private:
             if (!(mMesh->getBoundingSphereRadius() > 0.0f))
                 return Error{ErrorCode::InvalidGeometry,
                              "has no bounding radius, which the automatic levels follow; use --levels"};
-            config = automaticLodConfig(mMesh);
+            AutomaticLods automatic = mSettings.automatic;
+            automatic.metric = mSettings.metric;
+            config = automaticLodConfig(mMesh, automatic);
         } else {
             config.mesh = mMesh;
             config.strategy = mSettings.strategy;

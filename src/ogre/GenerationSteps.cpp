@@ -3,6 +3,7 @@
 #include "LodPlan.h"
 #include "VertexCacheOrder.h"
 
+#include <lodsmith/analysis/LevelChoice.h>
 #include <lodsmith/cache/SimplifyCached.h>
 #include <lodsmith/ogre/MeshWriter.h>
 
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <sstream>
 #include <utility>
 
 namespace lodsmith {
@@ -34,6 +36,47 @@ Error inTermsOfMesh(Error error, const MeshData& data)
         error.subMesh = static_cast<int>(std::find(views.begin(), views.end(), error.subMesh) - views.begin());
     }
     return error;
+}
+
+/// From which sizes on screen on levels may be shown, up to a factor: pixels are an area, and what is farther is smaller.
+std::vector<double> sizesOf(const LodConfig& config)
+{
+    const bool rising = config.levels.size() > 1 && config.levels[1].value > config.levels[0].value;
+    std::vector<double> sizes;
+    for (const LodLevel& level : config.levels)
+        sizes.push_back(rising ? 1.0 / level.value : std::sqrt(level.value));
+    return sizes;
+}
+
+/// Marks the levels that are not worth storing as skipped.
+void leaveOut(LodChain& chain, const std::vector<double>& sizes, unsigned most)
+{
+    std::vector<LevelCandidate> candidates;
+    std::vector<LodChainLevel*> levels;
+    for (std::size_t i = 0; i < chain.levels.size(); ++i)
+        if (LodChainLevel& level = chain.levels[i]; !level.skipped) {
+            candidates.push_back({sizes[i], level.triangles});
+            levels.push_back(&level);
+            level.skipped = true;
+        }
+    for (const std::size_t i : chooseLevels(chain.triangles, candidates, most))
+        levels[i]->skipped = false;
+    for (LodChainLevel* level : levels)
+        if (level->skipped)
+            level->indices = {};
+}
+
+/// What computeLods() does to a chain, for the key of the cache: what would give other levels has another name.
+std::string nameOfFinish(const PreparedLods& prepared)
+{
+    std::ostringstream name;
+    name << vertexCacheOrderName();
+    if (prepared.mostLevels > 0) {
+        name << "; at most " << prepared.mostLevels << " worth " << kWorthOfLevel << " at" << std::hexfloat;
+        for (const double size : prepared.sizes)
+            name << ' ' << size;
+    }
+    return name.str();
 }
 
 double secondsToOrder(LodChain& chain)
@@ -131,14 +174,19 @@ Result<PreparedLods> prepareLods(const LodConfig& config, std::shared_ptr<LodCac
     Result<MeshData> data = MeshReader::read(*config.mesh, config.subMeshImportance);
     if (!data)
         return data.error();
-    return PreparedLods{std::move(data).value(), targetsOf(config), config.options, std::move(cache)};
+    return PreparedLods{std::move(data).value(), targetsOf(config), config.options,
+                        std::move(cache),        config.mostLevels, sizesOf(config)};
 }
 
 Result<ComputedLods> computeLods(PreparedLods& prepared, Progress* progress)
 {
     double orderSeconds = 0.0;
-    const ChainFinish order{vertexCacheOrderName(), [&](LodChain& chain) { orderSeconds = secondsToOrder(chain); }};
-    Result<CachedChain> made = makeOrFind(prepared, progress, order);
+    const ChainFinish finish{nameOfFinish(prepared), [&](LodChain& chain) {
+                                 if (prepared.mostLevels > 0)
+                                     leaveOut(chain, prepared.sizes, prepared.mostLevels);
+                                 orderSeconds = secondsToOrder(chain);
+                             }};
+    Result<CachedChain> made = makeOrFind(prepared, progress, finish);
     if (!made)
         return inTermsOfMesh(made.error(), prepared.data);
     CachedChain& chain = made.value();

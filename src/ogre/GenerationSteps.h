@@ -5,6 +5,7 @@
 #include <lodsmith/core/Progress.h>
 #include <lodsmith/core/Result.h>
 #include <lodsmith/core/Simplify.h>
+#include <lodsmith/ogre/AutomaticLods.h>
 #include <lodsmith/ogre/LodConfig.h>
 #include <lodsmith/ogre/MeshReader.h>
 #include <lodsmith/ogre/ProgressiveMeshGenerator.h>
@@ -23,6 +24,9 @@ struct PreparedLods {
     std::vector<LevelTarget> targets;
     SimplifyOptions options;
     std::shared_ptr<LodCache> cache{}; ///< where chains are kept; null for nowhere
+    /// LodConfig::mostLevels, and for each target the size on screen from which on its level may be shown, in any unit.
+    unsigned mostLevels = 0;
+    std::vector<double> sizes{};
 };
 
 /// What was computed: plain arrays again.

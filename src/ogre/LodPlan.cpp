@@ -118,6 +118,9 @@ Result<LodPlan> planLods(const LodConfig& config)
         return *error;
     if (auto error = checkImportance(config))
         return *error;
+    if (config.mostLevels > 0
+        && std::any_of(config.levels.begin(), config.levels.end(), std::mem_fn(&LodLevel::isManual)))
+        return badSetting("there can be no hand-made levels among those that are to be chosen from");
 
     // OGRE never takes the mark of manual levels off a mesh again, so that earlier ones count as well.
     const bool manual = config.mesh->hasManualLodLevel()

@@ -21,7 +21,7 @@ Result<Ogre::MeshPtr> findManualMesh(const Ogre::String& name, const Ogre::Mesh&
 
 /// Checks strategy, values, importances and manual meshes of a configuration, and loads the latter.
 /// Errors (without file): InvalidSetting (unknown strategy; values not finite, not positive or not in order; importances out
-/// of range or more than submeshes; a manual mesh that is the mesh itself), NotFound (no such manual mesh), Unsupported (a manual mesh with levels of its own, or manual
+/// of range; hand-made levels among candidates or more than submeshes; a manual mesh that is the mesh itself), NotFound (no such manual mesh), Unsupported (a manual mesh with levels of its own, or manual
 /// levels now or before on a mesh with a living entity that is not to be initialised again: OGRE ends the process over either).
 Result<LodPlan> planLods(const LodConfig& config);
 

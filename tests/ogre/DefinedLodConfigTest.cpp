@@ -76,7 +76,8 @@ TEST_F(DefinedLodConfigTest, AnAutomaticDefinitionIsTheAutomaticConfiguration)
     const LodConfig expected = automaticLodConfig(mMesh);
     EXPECT_EQ(defined.config.mesh, mMesh);
     EXPECT_EQ(defined.config.strategy, expected.strategy);
-    EXPECT_EQ(defined.config.options.metric, Metric::Curvature);
+    EXPECT_EQ(defined.config.options.metric, expected.options.metric);
+    EXPECT_EQ(defined.config.mostLevels, expected.mostLevels);
     EXPECT_EQ(values(defined.config), values(expected));
     EXPECT_THAT(defined.leftOut, IsEmpty());
 

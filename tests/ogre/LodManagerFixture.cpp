@@ -32,6 +32,16 @@ std::vector<Ogre::Real> values(const Ogre::MeshPtr& mesh)
     return values;
 }
 
+std::vector<Ogre::Real> automaticValues(const Ogre::MeshPtr& mesh, const AutomaticLods& automatic)
+{
+    const Ogre::MeshPtr copy = mesh->clone("copy of " + mesh->getName());
+    copy->removeLodLevels();
+    EXPECT_TRUE(ProgressiveMeshGenerator().generateAutoconfiguredLodLevels(copy, nullptr, automatic));
+    const std::vector<Ogre::Real> result = values(copy);
+    Ogre::MeshManager::getSingleton().remove(copy);
+    return result;
+}
+
 void LodManagerTest::writeMesh(const std::string& name, const TestMesh& source, bool withLevels)
 {
     const Ogre::MeshPtr mesh = makeOgreMesh("of " + name, source);

@@ -24,6 +24,9 @@ std::string handMade(const std::vector<std::pair<std::string, std::string>>& lev
 /// The users' values of a mesh's levels, from level 1 on.
 std::vector<Ogre::Real> values(const Ogre::MeshPtr& mesh);
 
+/// The users' values of the automatic levels that a mesh gets.
+std::vector<Ogre::Real> automaticValues(const Ogre::MeshPtr& mesh, const AutomaticLods& automatic = {});
+
 /// A program with a LodManager, once start() is called, and mesh files and definitions in its group's directory.
 class LodManagerTest : public testing::Test {
 protected:

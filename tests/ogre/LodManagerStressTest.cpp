@@ -353,9 +353,10 @@ protected:
         mPolicy.replaceLevels = mRandom.bits() % 2 == 0;
         mPolicy.reinitialiseEntities = mRandom.bits() % 2 == 0;
         mPolicy.minTriangles = mRandom.bits() % 2 == 0 ? 60 : 200;
+        mPolicy.automaticLods.method = AutomaticLods::Method::Classic; // whose levels are known beforehand
         mPolicy.automaticLods.metric = mRandom.bits() % 2 == 0 ? Metric::Curvature : Metric::Quadric;
         mPolicy.automaticLods.levels = 1 + mRandom.bits() % AutomaticLods::kMaxLevels;
-        mPolicy.automaticLods.quality = mRandom.uniform(0.1, 10);
+        mPolicy.automaticLods.pixels = mRandom.uniform(0.1, 10);
         mPolicy.names.clear();
         if (mRandom.bits() % 4 == 0)
             mPolicy.names.emplace_back("rock1*");

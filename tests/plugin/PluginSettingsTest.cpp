@@ -33,7 +33,7 @@ TEST(PluginSettings, AreAllRead)
 {
     const PluginSettings settings =
         settingsOf("enabled=no\nautomatic = no # by hand\r\n\treplace_levels=yes\nmin_triangles=1234\ngroup=General\n"
-                   "metric=quadric\nlevels=6\nquality=0.5\nreinitialise_entities=yes\ngroup=My "
+                   "metric=quadric\nlevels=6\nmethod=classic\npixels=0.5\nreinitialise_entities=yes\ngroup=My "
                    "props\nname=*tree*\nworkers=3\nmemory_mib=64\nframe_ms=0.5\n"
                    "cache_mib=8000\ncache_directory=../my cache");
     EXPECT_FALSE(settings.policy.enabled);
@@ -42,7 +42,8 @@ TEST(PluginSettings, AreAllRead)
     EXPECT_EQ(settings.policy.minTriangles, 1234u);
     EXPECT_EQ(settings.policy.automaticLods.metric, Metric::Quadric);
     EXPECT_EQ(settings.policy.automaticLods.levels, 6u);
-    EXPECT_EQ(settings.policy.automaticLods.quality, 0.5);
+    EXPECT_EQ(settings.policy.automaticLods.method, AutomaticLods::Method::Classic);
+    EXPECT_EQ(settings.policy.automaticLods.pixels, 0.5);
     EXPECT_TRUE(settings.policy.reinitialiseEntities);
     EXPECT_THAT(settings.policy.groups, ElementsAre("General", "My props"));
     EXPECT_THAT(settings.policy.names, ElementsAre("*tree*"));
@@ -64,7 +65,8 @@ TEST(PluginSettings, TheSampleHasTheDefaults)
     EXPECT_EQ(settings.policy.minTriangles, none.policy.minTriangles);
     EXPECT_EQ(settings.policy.automaticLods.metric, none.policy.automaticLods.metric);
     EXPECT_EQ(settings.policy.automaticLods.levels, none.policy.automaticLods.levels);
-    EXPECT_EQ(settings.policy.automaticLods.quality, none.policy.automaticLods.quality);
+    EXPECT_EQ(settings.policy.automaticLods.method, none.policy.automaticLods.method);
+    EXPECT_EQ(settings.policy.automaticLods.pixels, none.policy.automaticLods.pixels);
     EXPECT_EQ(settings.policy.reinitialiseEntities, none.policy.reinitialiseEntities);
     EXPECT_THAT(settings.policy.groups, IsEmpty());
     EXPECT_THAT(settings.policy.names, IsEmpty());
@@ -94,9 +96,10 @@ TEST(PluginSettings, WhatIsWrongIsNamedWithItsLine)
     EXPECT_THAT(errorOf("metric=Quadric"), HasSubstr("'Quadric' has to be quadric or curvature"));
     EXPECT_THAT(errorOf("levels=9"), HasSubstr("from 0 to 8"));
     EXPECT_THAT(errorOf("levels=0"), HasSubstr("at least 1"));
-    EXPECT_THAT(errorOf("quality=0.09"), HasSubstr("'0.09' has to be a number from 0.1 to 10"));
-    EXPECT_THAT(errorOf("quality=11"), HasSubstr("a number from 0.1 to 10"));
-    EXPECT_THAT(errorOf("quality=high"), HasSubstr("a number from 0.1 to 10"));
+    EXPECT_THAT(errorOf("pixels=0.09"), HasSubstr("'0.09' has to be a number from 0.1 to 10"));
+    EXPECT_THAT(errorOf("pixels=11"), HasSubstr("a number from 0.1 to 10"));
+    EXPECT_THAT(errorOf("pixels=few"), HasSubstr("a number from 0.1 to 10"));
+    EXPECT_THAT(errorOf("method=best"), HasSubstr("'best' has to be balanced or classic"));
     EXPECT_THAT(errorOf("group="), HasSubstr("a name is missing"));
     EXPECT_THAT(errorOf("cache_mib=1048577"), HasSubstr("from 0 to 1048576"));
     EXPECT_THAT(errorOf("cache_directory="), HasSubstr("a path is missing"));

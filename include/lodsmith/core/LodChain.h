@@ -26,6 +26,7 @@ struct LodChainLevel {
     double cost = 0.0;
     StopReason stop = StopReason::TargetReached;
     /// True when the level has the same vertices as the one before: it has no indices of its own and need not be stored.
+    /// Whoever chooses among a chain's levels marks the others so too.
     bool skipped = false;
 };
 

@@ -3,6 +3,7 @@
 #include <lodsmith/core/Export.h>
 #include <lodsmith/core/Result.h>
 #include <lodsmith/loddef/LodDefinition.h>
+#include <lodsmith/ogre/AutomaticLods.h>
 #include <lodsmith/ogre/LodConfig.h>
 
 #include <vector>

@@ -4,6 +4,7 @@
 #include <lodsmith/core/LodChain.h>
 #include <lodsmith/core/Progress.h>
 #include <lodsmith/core/Result.h>
+#include <lodsmith/ogre/AutomaticLods.h>
 #include <lodsmith/ogre/LodConfig.h>
 
 #include <memory>

@@ -2,6 +2,7 @@
 
 #include <lodsmith/core/Export.h>
 #include <lodsmith/core/Result.h>
+#include <lodsmith/ogre/AutomaticLods.h>
 #include <lodsmith/ogre/LodConfig.h>
 #include <lodsmith/ogre/PMInjector.h>
 #include <lodsmith/ogre/PMInjectorSignaler.h>

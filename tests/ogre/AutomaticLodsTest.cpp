@@ -1,9 +1,11 @@
 #include <support/OgreMeshBuilder.h>
 #include <support/OgreSession.h>
 
-#include <lodsmith/ogre/LodConfig.h>
+#include <lodsmith/ogre/AutomaticLods.h>
 #include <lodsmith/ogre/ProgressiveMeshGenerator.h>
 #include <lodsmith/ogre/QueuedProgressiveMeshGenerator.h>
+
+#include <OgreSubMesh.h>
 
 #include <gtest/gtest.h>
 
@@ -14,12 +16,14 @@
 namespace lodsmith::test {
 namespace {
 
-TEST(LodConfigTest, TheAutomaticConfigurationFollowsItsFormula)
+TEST(AutomaticLods, ClassicOnesFollowTheFormulaOf2012)
 {
     OgreSession session;
     const Ogre::MeshPtr mesh = makeOgreMesh("mesh", makeTetrahedron());
     mesh->_setBoundingSphereRadius(50);
-    const LodConfig config = automaticLodConfig(mesh);
+    AutomaticLods classic;
+    classic.method = AutomaticLods::Method::Classic;
+    const LodConfig config = automaticLodConfig(mesh, classic);
     EXPECT_EQ(config.mesh, mesh);
     EXPECT_EQ(config.strategy, "pixel_count");
     EXPECT_EQ(config.options.metric, Metric::Curvature);
@@ -41,14 +45,15 @@ double radiusOnScreen(const LodLevel& level)
     return std::sqrt(level.value / kPi);
 }
 
-class AutomaticLodsTest : public testing::Test {
+class ClassicLodsTest : public testing::Test {
 protected:
-    static AutomaticLods lods(Metric metric, unsigned levels, double quality = 1.0)
+    static AutomaticLods lods(Metric metric, unsigned levels, double pixels = 1.0)
     {
         AutomaticLods automatic;
+        automatic.method = AutomaticLods::Method::Classic;
         automatic.metric = metric;
         automatic.levels = levels;
-        automatic.quality = quality;
+        automatic.pixels = pixels;
         return automatic;
     }
 
@@ -64,7 +69,7 @@ protected:
     Ogre::MeshPtr mMesh = makeOgreMesh("mesh", makeUvSphere(20, 10));
 };
 
-TEST_F(AutomaticLodsTest, FewerLevelsAreTheLastOnesAndMoreGoOn)
+TEST_F(ClassicLodsTest, FewerLevelsAreTheLastOnesAndMoreGoOn)
 {
     for (const Metric metric : {Metric::Curvature, Metric::Quadric}) {
         const std::vector<LodLevel> four = levels(lods(metric, 4));
@@ -84,29 +89,30 @@ TEST_F(AutomaticLodsTest, FewerLevelsAreTheLastOnesAndMoreGoOn)
     }
 }
 
-TEST_F(AutomaticLodsTest, BeyondTheFourthLevelTheCostStaysTheSamePixels)
+TEST_F(ClassicLodsTest, BeyondTheFourthLevelTheCostStaysTheSamePixels)
 {
     const std::vector<LodLevel> eight = levels(lods(Metric::Curvature, 8));
     for (std::size_t i = 4; i < 8; ++i)
         EXPECT_NEAR(pixelsOfCost(eight[i]), pixelsOfCost(eight[3]), 1e-4);
 }
 
-TEST_F(AutomaticLodsTest, TheQuadricMetricMayCostHalfAPixelAtEachLevel)
+TEST_F(ClassicLodsTest, TheQuadricMetricMayCostHalfAPixelAtEachLevel)
 {
     for (const LodLevel& level : levels(lods(Metric::Quadric, 8)))
         EXPECT_NEAR(pixelsOfCost(level), 0.5, 1e-4);
 }
 
-TEST_F(AutomaticLodsTest, QualityScalesTheRadiusOnScreenAndNothingElse)
+TEST_F(ClassicLodsTest, PixelsScaleTheRadiusOnScreenAndNothingElse)
 {
-    const std::vector<LodLevel> one = levels(lods(Metric::Curvature, 4)), fine = levels(lods(Metric::Curvature, 4, 2));
+    const std::vector<LodLevel> one = levels(lods(Metric::Curvature, 4)),
+                                fine = levels(lods(Metric::Curvature, 4, 0.5));
     for (std::size_t i = 0; i < 4; ++i) {
         EXPECT_NEAR(radiusOnScreen(fine[i]), radiusOnScreen(one[i]) / 2, 1e-3);
         EXPECT_EQ(fine[i].target.amount, one[i].target.amount);
     }
 }
 
-TEST_F(AutomaticLodsTest, SettingsOutOfRangeAreRefused)
+TEST_F(ClassicLodsTest, SettingsOutOfRangeAreRefused)
 {
     const auto nan = std::numeric_limits<double>::quiet_NaN();
     QueuedProgressiveMeshGenerator queue;
@@ -124,9 +130,9 @@ TEST_F(AutomaticLodsTest, SettingsOutOfRangeAreRefused)
     EXPECT_EQ(queue.queued(), 0u);
 }
 
-TEST_F(AutomaticLodsTest, BothGeneratorsTakeThem)
+TEST_F(ClassicLodsTest, BothGeneratorsTakeThem)
 {
-    const AutomaticLods automatic = lods(Metric::Quadric, 6, 0.5);
+    const AutomaticLods automatic = lods(Metric::Quadric, 6, 2);
     ASSERT_TRUE(ProgressiveMeshGenerator().generateAutoconfiguredLodLevels(mMesh, nullptr, automatic));
     const auto values = [&] {
         std::vector<Ogre::Real> values;
@@ -141,6 +147,92 @@ TEST_F(AutomaticLodsTest, BothGeneratorsTakeThem)
     ASSERT_TRUE(queue.generateAutoconfiguredLodLevels(mMesh, 0.0f, automatic));
     queue.injector().finishAll();
     EXPECT_EQ(values(), direct);
+}
+
+/// The levels that are on a mesh: radius on screen, and triangles.
+struct StoredLevel {
+    double size = 0.0;
+    std::size_t triangles = 0;
+};
+
+class BalancedLodsTest : public testing::Test {
+protected:
+    std::vector<StoredLevel> generate(const AutomaticLods& automatic = {})
+    {
+        const auto report = ProgressiveMeshGenerator().generateAutoconfiguredLodLevels(mMesh, nullptr, automatic);
+        EXPECT_TRUE(report) << describe(report.error());
+        mReport = report.value();
+        std::vector<StoredLevel> levels;
+        for (Ogre::ushort i = 1; i < mMesh->getNumLodLevels(); ++i)
+            levels.push_back({std::sqrt(mMesh->getLodLevel(i).userValue / kPi),
+                              mMesh->getSubMesh(0)->mLodFaceList[i - 1]->indexCount / 3});
+        return levels;
+    }
+
+    OgreSession mSession;
+    Ogre::MeshPtr mMesh = makeOgreMesh("mesh", makeUvSphere(60, 40));
+    LodReport mReport;
+};
+
+TEST_F(BalancedLodsTest, NoLevelIsFartherOffThanItsPixels)
+{
+    for (const double pixels : {0.25, 1.0, 4.0}) {
+        AutomaticLods automatic;
+        automatic.pixels = pixels;
+        const std::vector<StoredLevel> levels = generate(automatic);
+        ASSERT_GE(levels.size(), 3u);
+        auto level = levels.begin();
+        for (const LodLevelReport& reported : mReport.levels) {
+            if (reported.skipped)
+                continue;
+            ASSERT_NE(level, levels.end());
+            EXPECT_EQ(reported.triangles, level->triangles);
+            const double error = reported.deviation / mMesh->getBoundingSphereRadius() * level->size;
+            EXPECT_LE(error, pixels * 1.001);
+            EXPECT_GE(error, pixels * 0.1) << "it could go on";
+            ++level;
+        }
+        EXPECT_EQ(level, levels.end());
+    }
+}
+
+TEST_F(BalancedLodsTest, MorePixelsAreFewerTriangles)
+{
+    AutomaticLods coarse;
+    coarse.pixels = 4;
+    EXPECT_LT(generate(coarse).front().triangles, generate().front().triangles);
+}
+
+TEST_F(BalancedLodsTest, EachLevelIsWorthItsIndexBuffer)
+{
+    const std::vector<StoredLevel> levels = generate();
+    double before = static_cast<double>(mReport.triangles);
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        const double until = i + 1 < levels.size() ? levels[i + 1].size : 1.0;
+        const double doublings = std::log2(levels[i].size / until);
+        EXPECT_GE((before - double(levels[i].triangles)) * doublings, 0.1 * mReport.triangles * 0.999)
+            << "without level " << i + 1 << " the one before would be drawn";
+        before = static_cast<double>(levels[i].triangles);
+    }
+}
+
+TEST_F(BalancedLodsTest, AreNoMoreThanAskedFor)
+{
+    for (unsigned most = 1; most <= AutomaticLods::kMaxLevels; ++most) {
+        AutomaticLods automatic;
+        automatic.levels = most;
+        EXPECT_LE(generate(automatic).size(), most);
+        EXPECT_GE(generate(automatic).size(), std::min(most, 3u));
+    }
+}
+
+TEST_F(BalancedLodsTest, HandMadeLevelsAreNoCandidates)
+{
+    LodConfig config = automaticLodConfig(mMesh);
+    config.levels[3].manualMeshName = makeOgreMesh("other", makeTetrahedron())->getName();
+    const auto report = ProgressiveMeshGenerator().generateLodLevels(config);
+    ASSERT_FALSE(report);
+    EXPECT_EQ(report.error().code, ErrorCode::InvalidSetting);
 }
 
 } // namespace
