@@ -34,7 +34,7 @@ check analysis 'core|analysis' 'boost/.*|embree3/.*'
 check files 'core|files' 'fcntl\.h|unistd\.h|sys/[a-z]+\.h'
 check loddef 'core|files|loddef' 'tinyxml2\.h'
 check cache 'core|files|cache' 'xxhash\.h'
-check ogre 'core|analysis|files|loddef|cache|ogre' 'Ogre[A-Za-z]*\.h|meshoptimizer\.h|sigc\+\+/[a-z_]+\.h'
+check ogre 'core|analysis|files|loddef|cache|ogre' 'Ogre[A-Za-z]*\.h|zlib\.h|meshoptimizer\.h|sigc\+\+/[a-z_]+\.h'
 check lua 'core|loddef|ogre|lua' 'Ogre[A-Za-z]*\.h|sigc\+\+/[a-z_/]+\.h|lua\.hpp|tolua\+\+\.h' lua-bindings
 check panel 'core|analysis|loddef|ogre|lua|panel' 'Ogre[A-Za-z]*\.h|CEGUI/.*|lua\.hpp|tolua\+\+\.h|dlfcn\.h'
 check editor 'core|files|ogre|cli|lua|panel|editor' 'Ogre[A-Za-z]*\.h|CEGUI/.*|lua\.hpp|poll\.h|sys/[a-z]+\.h|unistd\.h|SDL(_syswm)?\.h|CLI/CLI\.hpp|nlohmann/json\.hpp'

@@ -33,14 +33,15 @@ PlannedFile failed(const fs::path& input, ErrorCode code, std::string message)
     return {input, {}, std::move(error)};
 }
 
-Result<std::vector<fs::path>> findMeshFiles(const fs::path& directory, const fs::path& skipped)
+/// `skipped` is an identity(), or nothing.
+Result<std::vector<fs::path>> findMeshFiles(const fs::path& directory, const std::optional<fs::path>& skipped)
 {
     std::vector<fs::path> files;
     std::error_code code;
     fs::recursive_directory_iterator entry(directory, code);
     for (const fs::recursive_directory_iterator end; !code && entry != end; entry.increment(code)) {
         std::error_code ignored;
-        if (entry->is_directory(ignored) && identity(entry->path()) == skipped)
+        if (skipped && entry->is_directory(ignored) && identity(entry->path()) == *skipped)
             entry.disable_recursion_pending();
         else if (isMeshName(entry->path()) && !entry->is_directory(ignored))
             files.push_back(entry->path());
@@ -51,16 +52,18 @@ Result<std::vector<fs::path>> findMeshFiles(const fs::path& directory, const fs:
     return files;
 }
 
-void planDirectory(const fs::path& directory, const fs::path& output, std::vector<PlannedFile>& plan)
+/// Without an `output` the files alone.
+void planDirectory(const fs::path& directory, const std::optional<fs::path>& output, std::vector<PlannedFile>& plan)
 {
-    Result<std::vector<fs::path>> files = findMeshFiles(directory, identity(output));
+    Result<std::vector<fs::path>> files =
+        findMeshFiles(directory, output ? std::optional(identity(*output)) : std::nullopt);
     if (!files)
         plan.push_back(failed(directory, files.error().code, files.error().message));
     else if (files.value().empty())
         plan.push_back(failed(directory, ErrorCode::NotFound, "the directory holds no .mesh file"));
     else
         for (const fs::path& file : files.value())
-            plan.push_back({file, output / file.lexically_relative(directory), std::nullopt});
+            plan.push_back({file, output ? *output / file.lexically_relative(directory) : fs::path(), std::nullopt});
 }
 
 Error invalid(std::string message)
@@ -107,7 +110,7 @@ Result<std::vector<PlannedFile>> planOutputs(const std::vector<std::string>& inp
     std::vector<PlannedFile> plan;
     for (const fs::path input : inputs) {
         if (fs::is_directory(input, ignored))
-            planDirectory(input, output, plan);
+            planDirectory(input, fs::path(output), plan);
         else if (!fs::exists(input, ignored))
             plan.push_back(failed(input, ErrorCode::NotFound, "no such file"));
         else
@@ -116,6 +119,21 @@ Result<std::vector<PlannedFile>> planOutputs(const std::vector<std::string>& inp
     }
     if (auto distinct = checkCollisions(plan); !distinct)
         return distinct.error();
+    return plan;
+}
+
+std::vector<PlannedFile> planInputs(const std::vector<std::string>& inputs)
+{
+    std::vector<PlannedFile> plan;
+    for (const fs::path input : inputs) {
+        std::error_code ignored;
+        if (fs::is_directory(input, ignored))
+            planDirectory(input, std::nullopt, plan);
+        else if (!fs::exists(input, ignored))
+            plan.push_back(failed(input, ErrorCode::NotFound, "no such file"));
+        else
+            plan.push_back({input, {}, std::nullopt});
+    }
     return plan;
 }
 

@@ -25,4 +25,8 @@ struct PlannedFile {
 /// file where a directory is needed.
 Result<std::vector<PlannedFile>> planOutputs(const std::vector<std::string>& inputs, const std::string& output);
 
+/// The same for a command that writes nothing: the files alone, each `output` empty. A file that several inputs name is
+/// there once for each.
+std::vector<PlannedFile> planInputs(const std::vector<std::string>& inputs);
+
 } // namespace lodsmith::cli

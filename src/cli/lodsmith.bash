@@ -6,17 +6,19 @@ _lodsmith() {
     COMPREPLY=()
 
     if ((COMP_CWORD == 1)); then
-        mapfile -t COMPREPLY < <(compgen -W "generate inspect measure import strip validate --help --version" -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W "generate inspect measure cost import strip validate --help --version" -- "$word")
         return
     fi
     case $before in
     --strategy) options="distance pixelcount" ;;
     --metric) options="quadric curvature" ;;
+    --preset) options="seed viewer honest" ;;
+    --sizes) options="raw zlib" ;;
     --mesh-version) options="1.0 1.4 1.41 1.8 1.10" ;;
     --endian) options="native little big" ;;
     --loddef) files="*.loddef" ;;
     --cache) files="*/" ;;
-    --levels | --repeat | --jobs | -j | --time-limit | --samples | --*-weight) return ;;
+    --levels | --repeat | --jobs | -j | --time-limit | --samples | --*-weight | --constants | --metres | --viewport | --fov | --at | --optimise) return ;;
     esac
     if [[ -z $options && $word == -* ]]; then
         case ${COMP_WORDS[1]} in
@@ -26,6 +28,10 @@ _lodsmith() {
             ;;
         inspect) options="--json --time-limit --help" ;;
         measure) options="--against --samples --json --time-limit --help" ;;
+        cost)
+            options="--preset --constants --sizes --metres --preset-distances --viewport --fov --at --optimise --jobs"
+            options+=" --time-limit --json --help"
+            ;;
         import | strip) options=$write ;;
         validate) options="--json --help" ;;
         esac

@@ -3,6 +3,7 @@
 
 #include <lodsmith/ogre/DefinedLodConfig.h>
 #include <lodsmith/ogre/ProgressiveMeshGenerator.h>
+#include <lodsmith/ogre/SwitchDistance.h>
 
 #include <OgreCamera.h>
 #include <OgreEntity.h>
@@ -71,6 +72,14 @@ protected:
         return far;
     }
 
+    /// What the library says about level 1, at scale 1.
+    double saidDistance(const View& view = {}) const
+    {
+        const auto distance = lodsmith::switchDistance(*mMesh, mMesh->getLodLevel(1).userValue, view);
+        EXPECT_TRUE(distance) << describe(distance.error());
+        return distance.value();
+    }
+
     double radius() const { return mMesh->getBoundingSphereRadius() * mNode->getScale().x; }
 
     /// The bounding sphere's radius in pixels, on a screen of this height.
@@ -92,6 +101,7 @@ TEST_F(LodStrategyTest, DistanceSphereIsTheLengthOfATangentToTheSphere)
 {
     define(LodStrategy::DistanceSphere, 30);
     EXPECT_NEAR(switchDistance(), std::hypot(30, radius()), 1e-2);
+    EXPECT_NEAR(switchDistance(), saidDistance(), 1e-2);
     mNode->setScale(10, 10, 10);
     EXPECT_NEAR(switchDistance(), std::hypot(30, radius()), 1e-2);
 }
@@ -100,6 +110,8 @@ TEST_F(LodStrategyTest, DistanceBoxCountsFromTheBox)
 {
     define(LodStrategy::DistanceBox, 30);
     EXPECT_NEAR(switchDistance(), 30 + mMesh->getBounds().getMaximum().z, 1e-2);
+    // The sphere's poles lie on an axis, the corners of its sides not quite on the other two.
+    EXPECT_NEAR(switchDistance(), saidDistance(), 0.1 * radius());
 }
 
 TEST_F(LodStrategyTest, ScreenRatioIsTheShareOfTheSpheresCircle)
@@ -114,6 +126,28 @@ TEST_F(LodStrategyTest, ScreenRatioIsTheShareOfTheSpheresCircle)
             const double circle = kPi * std::pow(radiusOnScreen(switchDistance(), kHeight), 2);
             EXPECT_NEAR(circle / (kHeight * kHeight * kAspect), 0.01, 1e-5);
         }
+}
+
+TEST_F(LodStrategyTest, TheSaidDistanceIsWhereOgreSwitches)
+{
+    define(LodStrategy::ScreenRatioPixelCount, 0.01f);
+    for (const double degrees : {50.0, 20.0}) {
+        mCamera->setFOVy(Ogre::Degree(static_cast<Ogre::Real>(degrees)));
+        EXPECT_NEAR(switchDistance(), saidDistance({1280, 720, degrees * kPi / 180}), 1e-3 * switchDistance());
+    }
+}
+
+TEST_F(LodStrategyTest, PixelsAndTheirDistanceBelongTogether)
+{
+    define(LodStrategy::PixelCount, 5000);
+    const View view{1280, 720, 50 * kPi / 180};
+    EXPECT_NEAR(pixelsAt(*mMesh, saidDistance(view), view), 5000, 1e-6);
+    EXPECT_NEAR(kPi * std::pow(radiusOnScreen(saidDistance(view), 720), 2), 5000, 1e-2);
+    const auto never = lodsmith::switchDistance(*mMesh, 0, view);
+    ASSERT_TRUE(never);
+    EXPECT_TRUE(std::isinf(never.value()));
+    EXPECT_FALSE(lodsmith::switchDistance(*mMesh, -1, view));
+    EXPECT_FALSE(lodsmith::switchDistance(*mMesh, std::nan(""), view));
 }
 
 TEST_F(LodStrategyTest, ScreenRatioOfAnOrthographicCameraDoesNotDependOnTheDistance)

@@ -236,14 +236,21 @@ LodConfig proportional(const Ogre::MeshPtr& mesh, const std::vector<double>& rem
     return config;
 }
 
+void setHandMadeLevels(Ogre::Mesh& mesh, const std::vector<std::string>& names)
+{
+    mesh._setLodInfo(static_cast<unsigned short>(names.size() + 1));
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        Ogre::MeshLodUsage usage;
+        usage.userValue = static_cast<Ogre::Real>(10 * (i + 1));
+        usage.value = mesh.getLodStrategy()->transformUserValue(usage.userValue);
+        usage.manualName = names[i];
+        mesh._setLodUsage(static_cast<unsigned short>(i + 1), usage);
+    }
+}
+
 void setHandMadeLevel(Ogre::Mesh& mesh, const std::string& name)
 {
-    Ogre::MeshLodUsage usage;
-    usage.userValue = 10;
-    usage.value = mesh.getLodStrategy()->transformUserValue(usage.userValue);
-    usage.manualName = name;
-    mesh._setLodInfo(2);
-    mesh._setLodUsage(1, usage);
+    setHandMadeLevels(mesh, {name});
 }
 
 std::vector<std::string> brokenLevels(const Ogre::Mesh& mesh)

@@ -36,6 +36,9 @@ std::vector<std::uint32_t> indicesOf(const Ogre::IndexData& data);
 /// Levels at 10, 20, ... that remove these shares of the vertices.
 LodConfig proportional(const Ogre::MeshPtr& mesh, const std::vector<double>& removed);
 
+/// Gives a mesh levels at 10, 20, ...: other meshes of its group, which need not be there.
+void setHandMadeLevels(Ogre::Mesh& mesh, const std::vector<std::string>& names);
+
 /// Gives a mesh one level, at 10: another mesh of its group, which need not be there.
 void setHandMadeLevel(Ogre::Mesh& mesh, const std::string& name);
 
