@@ -46,6 +46,7 @@ if(LODSMITH_OGRE)
     lodsmith_install_library(lodsmith ogre
         PC lodsmith REQUIRES "lodsmith-core lodsmith-analysis lodsmith-loddef lodsmith-cache OGRE sigc++-2.0"
         LIBS_PRIVATE "-lmeshoptimizer -pthread")
+    lodsmith_install_library(lodsmith_render render PC lodsmith-render REQUIRES lodsmith)
     # With the prefix of OGRE's package, where OGRE's own plugins are.
     get_filename_component(LODSMITH_PLUGIN_FOLDER "${OGRE_PLUGIN_DIR}" NAME)
     install(TARGETS Plugin_Lodsmith
@@ -59,7 +60,7 @@ if(LODSMITH_LUA)
 endif()
 if(LODSMITH_PANEL)
     lodsmith_install_library(lodsmith_panel panel
-        PC lodsmith-panel REQUIRES "lodsmith-lua CEGUI-0 CEGUI-0-LUA CEGUI-0-OGRE" LIBS_PRIVATE -ldl)
+        PC lodsmith-panel REQUIRES "lodsmith-lua lodsmith-render CEGUI-0 CEGUI-0-LUA CEGUI-0-OGRE" LIBS_PRIVATE -ldl)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/gui-layouts DESTINATION ${CMAKE_INSTALL_DATADIR}/lodsmith)
 endif()
 if(LODSMITH_EDITOR)

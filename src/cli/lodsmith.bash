@@ -6,7 +6,7 @@ _lodsmith() {
     COMPREPLY=()
 
     if ((COMP_CWORD == 1)); then
-        mapfile -t COMPREPLY < <(compgen -W "generate inspect measure cost import strip validate --help --version" -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W "generate inspect measure cost render import strip validate --help --version" -- "$word")
         return
     fi
     case $before in
@@ -17,8 +17,9 @@ _lodsmith() {
     --mesh-version) options="1.0 1.4 1.41 1.8 1.10" ;;
     --endian) options="native little big" ;;
     --loddef) files="*.loddef" ;;
-    --cache) files="*/" ;;
-    --levels | --repeat | --jobs | -j | --time-limit | --samples | --*-weight | --constants | --metres | --viewport | --fov | --at | --optimise) return ;;
+    --cache | --materials) files="*/" ;;
+    --levels | --repeat | --jobs | -j | --time-limit | --samples | --size | --*-weight) return ;;
+    --constants | --metres | --viewport | --fov | --at | --optimise) return ;;
     esac
     if [[ -z $options && $word == -* ]]; then
         case ${COMP_WORDS[1]} in
@@ -32,6 +33,7 @@ _lodsmith() {
             options="--preset --constants --sizes --metres --preset-distances --viewport --fov --at --optimise --jobs"
             options+=" --time-limit --json --help"
             ;;
+        render) options="--output --materials --size --force --json --time-limit --help" ;;
         import | strip) options=$write ;;
         validate) options="--json --help" ;;
         esac

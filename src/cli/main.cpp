@@ -27,6 +27,7 @@ int run(int argc, char** argv)
     lodsmith::cli::addInspectCommand(app, exitCode);
     lodsmith::cli::addMeasureCommand(app, exitCode);
     lodsmith::cli::addCostCommand(app, exitCode);
+    lodsmith::cli::addRenderCommand(app, exitCode);
     lodsmith::cli::addImportCommand(app, exitCode);
     lodsmith::cli::addStripCommand(app, exitCode);
     lodsmith::cli::addValidateCommand(app, exitCode);

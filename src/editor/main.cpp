@@ -1,5 +1,6 @@
 #include "Editor.h"
-#include "Engine.h"
+
+#include <lodsmith/render/RenderEngine.h>
 
 #include <CLI/CLI.hpp>
 
@@ -58,7 +59,7 @@ int edit(const Options& options)
         say(describe(window.error()));
         return kFailed;
     }
-    Engine engine(options.log);
+    RenderEngine engine(options.log);
     try {
         engine.start();
         window.value()->attach(engine.root());

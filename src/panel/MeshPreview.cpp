@@ -5,13 +5,14 @@
 #include "OrbitCamera.h"
 #include "PreviewAnimation.h"
 #include "PreviewDrawing.h"
-#include "PreviewMaterials.h"
 #include "PreviewTarget.h"
 #include "ShownMesh.h"
 
+#include <lodsmith/render/Stage.h>
+#include <lodsmith/render/SurfaceMaterials.h>
+
 #include <OgreCamera.h>
 #include <OgreEntity.h>
-#include <OgreLight.h>
 #include <OgreLodStrategy.h>
 #include <OgreLodStrategyManager.h>
 #include <OgreRoot.h>
@@ -34,38 +35,6 @@ std::string nextName()
     static unsigned count = 0;
     return "Lodsmith preview " + std::to_string(++count);
 }
-
-/// The scene of a preview: light that comes with the camera, and a node for what is looked at.
-struct Stage {
-    explicit Stage(const std::string& name)
-        : scene(
-            *Ogre::Root::getSingleton().createSceneManager(Ogre::DefaultSceneManagerFactory::FACTORY_TYPE_NAME, name)),
-          cameraNode(*scene.getRootSceneNode()->createChildSceneNode()),
-          subject(*scene.getRootSceneNode()->createChildSceneNode()), camera(*scene.createCamera(name))
-    {
-        cameraNode.attachObject(&camera);
-        scene.setAmbientLight(Ogre::ColourValue(0.28f, 0.28f, 0.30f));
-        Ogre::Light* light = scene.createLight();
-        light->setType(Ogre::Light::LT_DIRECTIONAL);
-        light->setDiffuseColour(Ogre::ColourValue(0.80f, 0.80f, 0.78f));
-        light->setSpecularColour(Ogre::ColourValue(0.3f, 0.3f, 0.3f));
-        Ogre::SceneNode* overShoulder = cameraNode.createChildSceneNode();
-        overShoulder->attachObject(light);
-        overShoulder->setDirection(Ogre::Vector3(-0.35f, -0.45f, -1.0f), Ogre::Node::TS_PARENT);
-    }
-    ~Stage()
-    {
-        if (Ogre::Root* root = Ogre::Root::getSingletonPtr())
-            root->destroySceneManager(&scene);
-    }
-    Stage(const Stage&) = delete;
-    Stage& operator=(const Stage&) = delete;
-
-    Ogre::SceneManager& scene;
-    Ogre::SceneNode& cameraNode;
-    Ogre::SceneNode& subject;
-    Ogre::Camera& camera;
-};
 
 } // namespace
 
@@ -95,7 +64,7 @@ struct MeshPreview::Parts {
     void followDeviation();
     bool hasChanged(float seconds);
 
-    PreviewMaterials materials;
+    SurfaceMaterials materials;
     Stage stage;
     PreviewTarget target;
     OrbitCamera orbit;

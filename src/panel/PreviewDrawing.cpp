@@ -24,9 +24,21 @@ std::size_t trianglesOf(Ogre::Renderable& part)
     return trianglesIn(operation.operationType, count);
 }
 
+Paint paintOf(ViewMode mode)
+{
+    switch (mode) {
+    case ViewMode::Shaded: return Paint::Own;
+    case ViewMode::Flat: return Paint::Faceted;
+    case ViewMode::Wireframe: return Paint::Lines;
+    case ViewMode::Checker: return Paint::Checker;
+    case ViewMode::Deviation: break;
+    }
+    return Paint::Grey; // of the level, while its colours are not there
+}
+
 } // namespace
 
-PreviewDrawing::PreviewDrawing(Ogre::SceneManager& scene, const PreviewMaterials& materials)
+PreviewDrawing::PreviewDrawing(Ogre::SceneManager& scene, const SurfaceMaterials& materials)
     : mScene(scene), mMaterials(materials)
 {
     mScene.addRenderQueueListener(this);
@@ -96,7 +108,7 @@ bool PreviewDrawing::renderableQueued(Ogre::Renderable* part, Ogre::uint8, Ogre:
                                       Ogre::RenderQueue*)
 {
     mTriangles += trianglesOf(*part);
-    *technique = mMaterials.techniqueFor(mPicture.mode, *part, *technique);
+    *technique = mMaterials.techniqueFor(paintOf(mPicture.mode), *part, *technique);
     return true;
 }
 

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "HeatMap.h"
-#include "PreviewMaterials.h"
 #include "PreviewTarget.h"
+
+#include <lodsmith/render/SurfaceMaterials.h>
 
 #include <OgreRenderQueue.h>
 #include <OgreRenderQueueListener.h>
@@ -42,7 +43,7 @@ class PreviewDrawing : private Ogre::RenderTargetListener,
                        private Ogre::RenderQueue::RenderableListener {
 public:
     /// All live longer than it does.
-    PreviewDrawing(Ogre::SceneManager& scene, const PreviewMaterials& materials);
+    PreviewDrawing(Ogre::SceneManager& scene, const SurfaceMaterials& materials);
     ~PreviewDrawing() override;
     PreviewDrawing(const PreviewDrawing&) = delete;
     PreviewDrawing& operator=(const PreviewDrawing&) = delete;
@@ -63,7 +64,7 @@ private:
                           Ogre::RenderQueue* queue) override;
 
     Ogre::SceneManager& mScene;
-    const PreviewMaterials& mMaterials;
+    const SurfaceMaterials& mMaterials;
     PreviewTarget* mTarget = nullptr; ///< while it is drawn
     PreviewPicture mPicture;
     unsigned mPart = 0; ///< that is drawn now

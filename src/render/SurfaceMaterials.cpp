@@ -1,8 +1,7 @@
-#include "PreviewMaterials.h"
+#include <lodsmith/render/SurfaceMaterials.h>
 
 #include <OgreHardwarePixelBuffer.h>
 #include <OgreMaterialManager.h>
-#include <OgreMesh.h>
 #include <OgrePass.h>
 #include <OgreRenderable.h>
 #include <OgreSubMesh.h>
@@ -70,7 +69,7 @@ bool isStandIn(const Ogre::Technique* technique)
 
 } // namespace
 
-PreviewMaterials::PreviewMaterials(const Ogre::String& group) : mGroup(group)
+SurfaceMaterials::SurfaceMaterials(const Ogre::String& group) : mGroup(group)
 {
     Ogre::ResourceGroupManager::getSingleton().createResourceGroup(mGroup, false);
     makeCheckerTexture();
@@ -79,6 +78,7 @@ PreviewMaterials::PreviewMaterials(const Ogre::String& group) : mGroup(group)
         light(*technique.getPass(0), kGrey);
         technique.getPass(0)->setShadingMode(Ogre::SO_FLAT);
     });
+    mPlain = bothWays("plain", [](Ogre::Technique& technique) { plain(*technique.getPass(0), kGrey); });
     mLines = bothWays("lines", paintLines);
     mChecker = bothWays("checker", [this](Ogre::Technique& technique) {
         light(*technique.getPass(0), Ogre::ColourValue::White);
@@ -92,23 +92,23 @@ PreviewMaterials::PreviewMaterials(const Ogre::String& group) : mGroup(group)
     mVertexColours->load();
 }
 
-PreviewMaterials::~PreviewMaterials()
+SurfaceMaterials::~SurfaceMaterials()
 {
     // Whoever holds the group's resources lets go of them first; OGRE may have been taken down before.
-    mGrey = mFaceted = mLines = mChecker = {};
+    mGrey = mFaceted = mLines = mChecker = mPlain = {};
     mVertexColours.reset();
     mCheckerTexture.reset();
     if (auto* groups = Ogre::ResourceGroupManager::getSingletonPtr())
         groups->destroyResourceGroup(mGroup);
 }
 
-Ogre::MaterialPtr PreviewMaterials::create(const Ogre::String& name) const
+Ogre::MaterialPtr SurfaceMaterials::create(const Ogre::String& name) const
 {
     return Ogre::MaterialManager::getSingleton().create(name, mGroup);
 }
 
-template <class Paint>
-PreviewMaterials::Sides PreviewMaterials::bothWays(const Ogre::String& name, Paint paint) const
+template <class Work>
+SurfaceMaterials::Sides SurfaceMaterials::bothWays(const Ogre::String& name, Work paint) const
 {
     Sides sides{create(mGroup + "/" + name), create(mGroup + "/" + name + "/both")};
     for (const Ogre::MaterialPtr& material : {sides.front, sides.both}) {
@@ -121,8 +121,9 @@ PreviewMaterials::Sides PreviewMaterials::bothWays(const Ogre::String& name, Pai
     return sides;
 }
 
-/// Eight by eight squares over the unit square, the first row blue and the first column red, so that directions are seen.
-void PreviewMaterials::makeCheckerTexture()
+/// Eight by eight squares over the unit square, the first row blue and the first column red, so that directions are
+/// seen.
+void SurfaceMaterials::makeCheckerTexture()
 {
     constexpr std::uint32_t kSize = 256, kSquare = 32;
     std::vector<std::uint8_t> rgb;
@@ -142,16 +143,18 @@ void PreviewMaterials::makeCheckerTexture()
         Ogre::PixelBox(Ogre::Box(0, 0, kSize, kSize), Ogre::PF_BYTE_RGB, rgb.data()));
 }
 
-Ogre::Technique* PreviewMaterials::techniqueFor(ViewMode mode, Ogre::Renderable& part, Ogre::Technique* own) const
+Ogre::Technique* SurfaceMaterials::techniqueFor(Paint paint, Ogre::Renderable& part, Ogre::Technique* own) const
 {
-    if (own->getParent() == mVertexColours.get() || (mode == ViewMode::Shaded && !isStandIn(own)))
+    if (own->getParent() == mVertexColours.get() || (paint == Paint::Own && !isStandIn(own)))
         return own;
     Ogre::RenderOperation operation;
     part.getRenderOperation(operation);
-    const Sides* sides = mode == ViewMode::Flat ? &mFaceted : &mGrey;
-    if (mode == ViewMode::Wireframe || !has(operation.vertexData, Ogre::VES_NORMAL))
+    const Sides* sides = paint == Paint::Faceted ? &mFaceted : &mGrey;
+    if (paint == Paint::Plain)
+        sides = &mPlain;
+    else if (paint == Paint::Lines || !has(operation.vertexData, Ogre::VES_NORMAL))
         sides = &mLines; // without normals nothing but lines shows the shape
-    else if (mode == ViewMode::Checker && has(operation.vertexData, Ogre::VES_TEXTURE_COORDINATES))
+    else if (paint == Paint::Checker && has(operation.vertexData, Ogre::VES_TEXTURE_COORDINATES))
         sides = &mChecker;
     return (isSeenFromBothSides(own) ? sides->both : sides->front)->getTechnique(0);
 }
