@@ -48,10 +48,10 @@ Result<std::unique_ptr<PictureSession>> PictureSession::open(const fs::path& mes
 
 Result<Done> PictureSession::start(const fs::path& mesh, const fs::path& materials)
 {
-    if (const Result<Done> started = mEngine.startHidden(); !started)
+    if (auto started = mEngine.startHidden(); !started)
         return started;
     if (!materials.empty())
-        if (const Result<Done> prepared = prepareGroup(mesh, materials); !prepared)
+        if (auto prepared = prepareGroup(mesh, materials); !prepared)
             return prepared;
     const Result<Ogre::MeshPtr> opened = openMeshFile(mesh);
     if (!opened)
