@@ -6,7 +6,7 @@ _lodsmith() {
     COMPREPLY=()
 
     if ((COMP_CWORD == 1)); then
-        mapfile -t COMPREPLY < <(compgen -W "generate inspect measure cost render import strip validate --help --version" -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W "generate inspect measure cost render report import strip validate --help --version" -- "$word")
         return
     fi
     case $before in
@@ -19,7 +19,7 @@ _lodsmith() {
     --loddef) files="*.loddef" ;;
     --cache | --materials) files="*/" ;;
     --levels | --repeat | --jobs | -j | --time-limit | --samples | --size | --*-weight) return ;;
-    --constants | --metres | --viewport | --fov | --at | --optimise) return ;;
+    --constants | --metres | --viewport | --fov | --at | --optimise | --pixels) return ;;
     esac
     if [[ -z $options && $word == -* ]]; then
         case ${COMP_WORDS[1]} in
@@ -34,6 +34,7 @@ _lodsmith() {
             options+=" --time-limit --json --help"
             ;;
         render) options="--output --materials --size --force --json --time-limit --help" ;;
+        report) options="--output --pixels --samples --jobs --force --time-limit --help" ;;
         import | strip) options=$write ;;
         validate) options="--json --help" ;;
         esac

@@ -29,6 +29,7 @@ int run(int argc, char** argv)
     lodsmith::cli::addCostCommand(app, exitCode);
     lodsmith::cli::addRenderCommand(app, exitCode);
     lodsmith::cli::addImportCommand(app, exitCode);
+    lodsmith::cli::addReportCommand(app, exitCode);
     lodsmith::cli::addStripCommand(app, exitCode);
     lodsmith::cli::addValidateCommand(app, exitCode);
     try {

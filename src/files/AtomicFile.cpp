@@ -19,11 +19,6 @@ constexpr const char* kIsThere = "is there already";
 constexpr std::string_view kPrefix = ".lodsmith-";
 constexpr std::string_view kSuffix = ".tmp";
 
-std::string leftoverPrefix(pid_t writer)
-{
-    return std::string(kPrefix) + std::to_string(writer) + "-";
-}
-
 /// New files get what the umask leaves, replaced ones keep their permissions.
 mode_t permissionsFor(const fs::path& target)
 {
@@ -124,13 +119,18 @@ Result<Done> AtomicFile::checkTarget(const fs::path& target, Existing existing)
     return Done{};
 }
 
+std::string AtomicFile::temporaryPrefix(pid_t writer)
+{
+    return std::string(kPrefix) + std::to_string(writer) + "-";
+}
+
 void AtomicFile::removeLeftovers(const fs::path& directory, pid_t writer)
 {
-    std::error_code code;
-    const std::string prefix = leftoverPrefix(writer);
+    std::error_code code, ignored;
+    const std::string prefix = temporaryPrefix(writer);
     for (fs::directory_iterator entry(directory, code), end; !code && entry != end; entry.increment(code))
         if (entry->path().filename().string().compare(0, prefix.size(), prefix) == 0)
-            ::unlink(entry->path().c_str());
+            fs::remove_all(entry->path(), ignored);
 }
 
 bool AtomicFile::isTemporary(std::string_view fileName)
@@ -143,7 +143,7 @@ Result<Done> AtomicFile::openTemporary()
 {
     const mode_t permissions = permissionsFor(mTarget);
     for (int attempt = 0; attempt < kNameAttempts; ++attempt) {
-        const fs::path name = mDirectory / leftoverPrefix(::getpid()).append(std::to_string(attempt)).append(kSuffix);
+        const fs::path name = mDirectory / temporaryPrefix(::getpid()).append(std::to_string(attempt)).append(kSuffix);
         mDescriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, permissions);
         if (mDescriptor >= 0) {
             mTemporary = name;

@@ -32,8 +32,8 @@ public:
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
 
-    /// Writes everything to the temporary file and makes it as durable as was asked for; directories on the way are made.
-    /// To be called once. Errors: those of checkTarget(), Io.
+    /// Writes everything to the temporary file and makes it as durable as was asked for; directories on the way are
+    /// made. To be called once. Errors: those of checkTarget(), Io.
     Result<Done> prepare(std::string_view bytes);
 
     /// Puts what was prepared in its place. Errors: those of checkTarget(), Io.
@@ -43,7 +43,10 @@ public:
     /// is no regular file (which is never replaced).
     static Result<Done> checkTarget(const std::filesystem::path& target, Existing existing);
 
-    /// Removes what process `writer`, which has ended, left half-written in a directory.
+    /// What the names of the temporary files of process `writer` begin with, and those of its temporary directories.
+    static std::string temporaryPrefix(pid_t writer);
+
+    /// Removes the temporary files and directories that process `writer`, which has ended, left in a directory.
     static void removeLeftovers(const std::filesystem::path& directory, pid_t writer);
 
     /// Whether a file is a temporary one by its name, of whichever process.

@@ -13,7 +13,8 @@ namespace {
 using lodsmith::test::contentOf;
 using test::runLodsmith;
 
-constexpr const char* kCommands[] = {"generate", "inspect", "measure", "cost", "render", "import", "strip", "validate"};
+constexpr const char* kCommands[] = {"generate", "inspect", "measure", "cost",    "render",
+                                     "report",   "import",  "strip",   "validate"};
 
 std::set<std::string> longOptions(const std::string& text)
 {

@@ -25,7 +25,8 @@ TEST(Usage, helpOfEveryCommandHasAnExample)
 {
     const Outcome all = runLodsmith({"--help"});
     EXPECT_EQ(all.exitCode, 0);
-    for (const std::string command : {"generate", "inspect", "measure", "cost", "render", "import", "strip", "validate"}) {
+    for (const std::string command :
+         {"generate", "inspect", "measure", "cost", "render", "report", "import", "strip", "validate"}) {
         EXPECT_THAT(all.out, HasSubstr(command));
         const Outcome help = runLodsmith({command, "--help"});
         EXPECT_EQ(help.exitCode, 0);
