@@ -37,6 +37,8 @@ endfunction()
 lodsmith_install_library(lodsmith_core core PC lodsmith-core)
 lodsmith_install_library(lodsmith_analysis analysis
     PC lodsmith-analysis REQUIRES lodsmith-core LIBS_PRIVATE -lembree3)
+lodsmith_install_library(lodsmith_generators generators
+    PC lodsmith-generators REQUIRES "lodsmith-core lodsmith-analysis")
 lodsmith_install_library(lodsmith_loddef loddef
     PC lodsmith-loddef REQUIRES lodsmith-core LIBS_PRIVATE -ltinyxml2)
 install(FILES ${PROJECT_SOURCE_DIR}/docs/loddef.xsd DESTINATION ${CMAKE_INSTALL_DATADIR}/lodsmith)
@@ -44,7 +46,7 @@ lodsmith_install_library(lodsmith_cache cache
     PC lodsmith-cache REQUIRES lodsmith-core)
 if(LODSMITH_OGRE)
     lodsmith_install_library(lodsmith ogre
-        PC lodsmith REQUIRES "lodsmith-core lodsmith-analysis lodsmith-loddef lodsmith-cache OGRE sigc++-2.0"
+        PC lodsmith REQUIRES "lodsmith-core lodsmith-analysis lodsmith-generators lodsmith-loddef lodsmith-cache OGRE sigc++-2.0"
         LIBS_PRIVATE "-lmeshoptimizer -pthread")
     lodsmith_install_library(lodsmith_render render PC lodsmith-render REQUIRES lodsmith)
     # With the prefix of OGRE's package, where OGRE's own plugins are.

@@ -31,12 +31,14 @@ check() {
 
 check core core 'boost/.*'
 check analysis 'core|analysis' 'boost/.*|embree3/.*'
+check generators 'core|analysis|generators' 'boost/.*'
 check files 'core|files' 'fcntl\.h|unistd\.h|sys/[a-z]+\.h'
 check loddef 'core|files|loddef' 'tinyxml2\.h'
 check cache 'core|files|cache' 'xxhash\.h'
-check ogre 'core|analysis|files|loddef|cache|ogre' 'Ogre[A-Za-z]*\.h|zlib\.h|meshoptimizer\.h|sigc\+\+/[a-z_]+\.h'
+check ogre 'core|analysis|generators|files|loddef|cache|ogre' 'Ogre[A-Za-z]*\.h|zlib\.h|meshoptimizer\.h|sigc\+\+/[a-z_]+\.h'
+check render 'core|analysis|ogre|render' 'Ogre[A-Za-z]*\.h'
 check lua 'core|loddef|ogre|lua' 'Ogre[A-Za-z]*\.h|sigc\+\+/[a-z_/]+\.h|lua\.hpp|tolua\+\+\.h' lua-bindings
-check panel 'core|analysis|loddef|ogre|lua|panel' 'Ogre[A-Za-z]*\.h|CEGUI/.*|lua\.hpp|tolua\+\+\.h|dlfcn\.h'
-check editor 'core|files|ogre|cli|lua|panel|editor' 'Ogre[A-Za-z]*\.h|CEGUI/.*|lua\.hpp|poll\.h|sys/[a-z]+\.h|unistd\.h|SDL(_syswm)?\.h|CLI/CLI\.hpp|nlohmann/json\.hpp'
+check panel 'core|analysis|loddef|ogre|render|lua|panel' 'Ogre[A-Za-z]*\.h|CEGUI/.*|lua\.hpp|tolua\+\+\.h|dlfcn\.h'
+check editor 'core|files|ogre|render|cli|lua|panel|editor' 'Ogre[A-Za-z]*\.h|CEGUI/.*|lua\.hpp|poll\.h|sys/[a-z]+\.h|unistd\.h|SDL(_syswm)?\.h|CLI/CLI\.hpp|nlohmann/json\.hpp'
 check samples 'core|ogre|panel|editor|samples' 'CLI/CLI\.hpp|Ogre[A-Za-z]*\.h|CEGUI/.*|SDL(_syswm)?\.h|lua\.hpp'
 exit "$status"

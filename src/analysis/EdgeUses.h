@@ -2,6 +2,8 @@
 
 #include "WeldedMesh.h"
 
+#include <lodsmith/core/Export.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -22,8 +24,9 @@ struct EdgeUse {
 };
 
 /// Every side of every triangle that `skipped` does not leave out, sorted so that the uses of an edge follow each
-/// other.
-std::vector<EdgeUse> sortedEdgeUses(const std::vector<WeldedTriangle>& triangles, const std::vector<bool>& skipped);
+/// other. Exported for the generators.
+LODSMITH_API std::vector<EdgeUse> sortedEdgeUses(const std::vector<WeldedTriangle>& triangles,
+                                                 const std::vector<bool>& skipped);
 
 /// Calls `visit(const EdgeUse* uses, std::size_t count)` once for each edge.
 template <class Visitor>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <lodsmith/core/Export.h>
 #include <lodsmith/core/MeshView.h>
 #include <lodsmith/core/Result.h>
 
@@ -13,7 +14,8 @@ namespace lodsmith::analysis {
 using Position = std::array<float, 3>;
 
 /// Numbers positions so that equal ones (bit for bit, but -0 equal to +0) have the same number, counted from 0.
-class PositionTable {
+/// Exported, as the functions below, for the generators.
+class LODSMITH_API PositionTable {
 public:
     /// The number of a position, a new one if it is not there yet.
     std::uint32_t insert(Position position);
@@ -44,7 +46,7 @@ struct WeldedTriangle {
 /// All triangles of all submeshes, in order, on welded positions.
 /// Meshes welded with the same table have the same number for the same place.
 /// Errors: IndexOutOfRange; InvalidGeometry for a referenced position that is not finite.
-Result<std::vector<WeldedTriangle>> weldTriangles(const MeshView& mesh, PositionTable& table);
+LODSMITH_API Result<std::vector<WeldedTriangle>> weldTriangles(const MeshView& mesh, PositionTable& table);
 
 /// What makes a triangle the repetition of another with the same three positions.
 enum class Repetition {
@@ -53,6 +55,6 @@ enum class Repetition {
 };
 
 /// For each triangle, whether it repeats an earlier one. A collapsed triangle neither repeats nor is repeated.
-std::vector<bool> findRepeated(const std::vector<WeldedTriangle>& triangles, Repetition kind);
+LODSMITH_API std::vector<bool> findRepeated(const std::vector<WeldedTriangle>& triangles, Repetition kind);
 
 } // namespace lodsmith::analysis

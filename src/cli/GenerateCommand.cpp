@@ -3,6 +3,7 @@
 #include "Generation.h"
 #include "GenerationReport.h"
 #include "Numbers.h"
+#include "SeparateFoliage.h"
 
 #include <cstdio>
 #include <memory>
@@ -107,6 +108,23 @@ void checkManualLevels(const std::vector<LevelSpec>& levels, const std::vector<P
     }
 }
 
+/// Levels that become meshes of their own must not meet other files of the run.
+void checkSeparateNames(const std::vector<PlannedFile>& plan)
+{
+    std::set<fs::path> outputs;
+    for (const PlannedFile& file : plan)
+        outputs.insert((file.output.parent_path() / file.output.stem()).lexically_normal());
+    const auto check = [&](const fs::path& file) {
+        const std::string stem = stemOfSeparate(file);
+        if (!stem.empty() && outputs.count((file.parent_path() / stem).lexically_normal()) > 0)
+            throw UsageError("--separate-meshes: '" + file.string() + "' has the name of a level of '" + stem + "'");
+    };
+    for (const PlannedFile& file : plan) {
+        check(file.input);
+        check(file.output);
+    }
+}
+
 bool statesLevels(const GenerateArguments& arguments)
 {
     const GenerateSettings& settings = arguments.settings;
@@ -159,6 +177,8 @@ std::vector<PlannedFile> planFiles(const GenerateArguments& arguments)
     if (!plan)
         throw UsageError(plan.error().message);
     checkManualLevels(arguments.settings.levels, plan.value());
+    if (arguments.settings.separateMeshes)
+        checkSeparateNames(plan.value());
     return withoutHandMade(std::move(plan).value(), arguments.settings.definition);
 }
 
@@ -273,6 +293,8 @@ void addLevelOptions(CLI::App& command, GenerateArguments& arguments)
 void addRunOptions(CLI::App& command, GenerateArguments& arguments)
 {
     command.add_flag("--share-buffers", arguments.settings.shareBuffers, "Let two levels share one index buffer");
+    command.add_flag("--separate-meshes", arguments.settings.separateMeshes,
+                     "Let levels that lose too many leaves become meshes of their own, OUT.lodN.mesh beside OUT.mesh");
     addCountOption(command, "--repeat", arguments.settings.repeat, 1, 100000,
                    "Generate N times, for the times reported [1]")
         ->type_name("N");

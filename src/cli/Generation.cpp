@@ -3,6 +3,7 @@
 #include "../loddef/LoddefWords.h"
 #include "MeshPlan.h"
 #include "PeakMemory.h"
+#include "SeparateFoliage.h"
 
 #include <lodsmith/cache/LodCache.h>
 #include <lodsmith/ogre/MeshWriter.h>
@@ -89,6 +90,8 @@ Json levelZeroRecord(const LodReport& report, const Ogre::Mesh& mesh)
                 {"skipped", false},
                 {"stop", nullptr},
                 {"manual", nullptr},
+                {"separate", nullptr},
+                {"coverage", nullptr},
                 {"bytes", levelBytes(mesh, 0)}};
 }
 
@@ -101,6 +104,8 @@ Json handMadeRecord(Ogre::Real value, const std::string& name, const HandMadeLev
                 {"skipped", false},
                 {"stop", nullptr},
                 {"manual", name},
+                {"separate", nullptr},
+                {"coverage", nullptr},
                 {"bytes", 0}};
 }
 
@@ -113,10 +118,26 @@ Json levelRecord(const LodLevelReport& level, std::size_t bytes)
                 {"skipped", level.skipped},
                 {"stop", toString(level.stop)},
                 {"manual", nullptr},
+                {"separate", nullptr},
+                {"coverage", nullptr},
                 {"bytes", bytes}};
 }
 
-Json levelRecords(const MeshPlan& plan, const LodReport& report)
+/// What is different about a level of foliage.
+void addFoliage(Json& record, const FoliageRecord& level)
+{
+    record["coverage"] = level.kept;
+    if (level.file.empty())
+        return;
+    record["vertices"] = level.vertices;
+    record["triangles"] = level.triangles;
+    record["deviation"] = nullptr;
+    record["stop"] = nullptr;
+    record["separate"] = level.file;
+    record["bytes"] = level.bytes;
+}
+
+Json levelRecords(const MeshPlan& plan, const LodReport& report, const FoliageReport& foliage)
 {
     const Ogre::Mesh& mesh = *plan.config.mesh;
     Json levels = Json::array({levelZeroRecord(report, mesh)});
@@ -131,11 +152,13 @@ Json levelRecords(const MeshPlan& plan, const LodReport& report)
             levels.push_back(handMadeRecord(level.value, handMade, plan.handMade.at(handMade)));
         else
             levels.push_back(levelRecord(level, level.skipped ? 0 : levelBytes(mesh, stored)));
+        if (const auto found = foliage.levels.find(i); found != foliage.levels.end())
+            addFoliage(levels.back(), found->second);
     }
     return levels;
 }
 
-Json recordOf(const MeshPlan& plan, const LodReport& report, const Timings& timings)
+Json recordOf(const MeshPlan& plan, const LodReport& report, const FoliageReport& foliage, const Timings& timings)
 {
     Json record;
     record["vertices"] = report.vertices;
@@ -145,7 +168,7 @@ Json recordOf(const MeshPlan& plan, const LodReport& report, const Timings& timi
     record["loddef"] = plan.loddef.empty() ? Json(nullptr) : Json(plan.loddef);
     record["strategy"] = plan.config.strategy;
     record["metric"] = wordFor(kMetrics, plan.config.options.metric);
-    record["levels"] = levelRecords(plan, report);
+    record["levels"] = levelRecords(plan, report, foliage);
     record["cleaned"] = Json{{"degenerate_triangles", report.cleaned.degenerateTriangles},
                              {"repeated_triangles", report.cleaned.repeatedTriangles},
                              {"unreferenced_vertices", report.cleaned.unreferencedVertices}};
@@ -159,12 +182,13 @@ Json recordOf(const MeshPlan& plan, const LodReport& report, const Timings& timi
 }
 
 Result<Done> writeResult(const GenerateSettings& settings, const PlannedFile& file, const MeshPlan& plan,
-                         std::vector<std::string>& notes)
+                         const FoliageReport& foliage, std::vector<std::string>& notes)
 {
     const Ogre::Mesh& mesh = *plan.config.mesh;
     std::vector<Companion> companions = findSkeleton(mesh, file.input, notes);
     for (const auto& [name, level] : plan.handMade)
-        companions.push_back({level.file, name});
+        companions.push_back({level.file, name, std::nullopt});
+    companions.insert(companions.end(), foliage.files.begin(), foliage.files.end());
     const Result<std::string> bytes = meshBytes(mesh, settings.write.format);
     if (!bytes)
         return bytes.error();
@@ -189,16 +213,25 @@ Result<Json> generateFile(const GenerateSettings& settings, const PlannedFile& f
     if (!report)
         return report.error();
 
+    const Stopwatch treating;
+    const Result<FoliageReport> foliage = treatFoliage(plan.value(), report.value(), file.output, settings.write.format,
+                                                       settings.separateMeshes, progress);
+    const double foliageMs = treating.milliseconds();
+    if (!foliage)
+        return foliage.error();
+
     std::vector<std::string>& notes = report.value().notes;
     notes.insert(notes.begin(), plan.value().notes.begin(), plan.value().notes.end());
+    notes.insert(notes.end(), foliage.value().notes.begin(), foliage.value().notes.end());
     if (const std::optional<Error>& trouble = report.value().notStored)
         notes.push_back("the levels could not be kept in the cache: " + describe(*trouble));
     const Stopwatch writing;
-    const Result<Done> written = writeResult(settings, file, plan.value(), notes);
+    const Result<Done> written = writeResult(settings, file, plan.value(), foliage.value(), notes);
     if (!written)
         return written.error();
-    Json record = recordOf(plan.value(), report.value(), timings);
+    Json record = recordOf(plan.value(), report.value(), foliage.value(), timings);
     record["read_ms"] = readMs;
+    record["foliage_ms"] = foliageMs;
     record["write_ms"] = writing.milliseconds();
     return record;
 }
@@ -211,7 +244,7 @@ Json failedRecord(const PlannedFile& file, const Error& error)
         record[member] = nullptr;
     record["levels"] = Json::array();
     for (const char* member :
-         {"cached", "read_ms", "generate_ms", "generate_min_ms", "order_ms", "write_ms", "peak_kb"})
+         {"cached", "read_ms", "generate_ms", "generate_min_ms", "order_ms", "foliage_ms", "write_ms", "peak_kb"})
         record[member] = nullptr;
     setError(record, error);
     return record;

@@ -28,6 +28,7 @@ struct GenerateSettings {
     bool lockBorders = false;
     bool lockSeams = false;
     bool shareBuffers = false;
+    bool separateMeshes = false; ///< levels of foliage may become meshes of their own, in files beside the output
     unsigned repeat = 1;         ///< >= 1
     std::filesystem::path cache; ///< directory that keeps generated levels; empty for none
     WriteOptions write;

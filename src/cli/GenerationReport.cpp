@@ -73,6 +73,9 @@ std::string remark(std::size_t index, const Json& level)
     if (!level["manual"].is_null())
         return name + "hand-made, " + printable(level["manual"].get<std::string>()) + "\n";
     std::string text;
+    if (!level["separate"].is_null())
+        text += name + "a mesh of its own, " + printable(level["separate"].get<std::string>()) + ", covers "
+                + percent(level["coverage"].get<double>(), 1.0) + " of what the original does\n";
     if (level["skipped"].get<bool>())
         text += name + "not stored, it removes nothing beyond the level before\n";
     if (!level["stop"].is_null())

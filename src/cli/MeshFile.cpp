@@ -105,7 +105,7 @@ Error withHint(Error error, const fs::path& target, Existing existing)
 
 Result<Copy> prepareCopy(const Companion& companion, const fs::path& target, Existing existing)
 {
-    Result<std::string> content = readFile(companion.source);
+    Result<std::string> content = companion.content ? *companion.content : readFile(companion.source);
     if (!content)
         return content.error();
     Copy copy{nullptr, target, std::move(content).value()};
@@ -203,7 +203,7 @@ std::vector<Companion> findSkeleton(const Ogre::Mesh& mesh, const fs::path& mesh
     else if (!fs::exists(source, ignored))
         notes.push_back("skeleton '" + name + "' is not there: not copied");
     else
-        return {{source, name}};
+        return {{source, name, std::nullopt}};
     return {};
 }
 

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,10 +34,11 @@ bool holdsLevels(Ogre::MeshVersion version);
 /// elements whose byte order OGRE does not turn (normalised bytes among them).
 Result<std::string> meshBytes(const Ogre::Mesh& mesh, const MeshFormat& format);
 
-/// A file that goes along with a mesh.
+/// A file that goes along with a mesh: the copy of another one, or new.
 struct Companion {
-    std::filesystem::path source;
-    std::string name; ///< relative to the mesh's directory, as the mesh names it
+    std::filesystem::path source; ///< not used where there is `content`
+    std::string name;             ///< relative to the mesh's directory, as the mesh names it
+    std::optional<std::string> content = std::nullopt;
 };
 
 /// The skeleton file that a mesh loaded from `meshPath` names, if it lies beside it; otherwise a sentence in `notes`.
@@ -57,7 +59,7 @@ struct Overwriting {
     std::int64_t runBegan = 0;
 };
 
-/// Writes a mesh and copies its companions, all or nothing. A companion that is there already with the same content
+/// Writes a mesh and its companions, all or nothing. A companion that is there already with the same content
 /// stays as it is; one with other content that another mesh of the run has brought is never replaced.
 /// Errors: Io, NotFound, InvalidSetting (two companions of one name); file is the one that failed.
 Result<Done> writeMeshFiles(const std::filesystem::path& target, const std::string& bytes,

@@ -25,7 +25,7 @@ _lodsmith() {
         case ${COMP_WORDS[1]} in
         generate)
             options="$write --levels --strategy --loddef --no-loddef --metric --normal-weight --uv-weight --colour-weight"
-            options+=" --bone-weight --lock-borders --lock-seams --share-buffers --repeat --jobs --cache --json"
+            options+=" --bone-weight --lock-borders --lock-seams --share-buffers --separate-meshes --repeat --jobs --cache --json"
             ;;
         inspect) options="--json --time-limit --help" ;;
         measure) options="--against --samples --json --time-limit --help" ;;
