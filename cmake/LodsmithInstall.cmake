@@ -34,7 +34,8 @@ function(lodsmith_install_library target component)
     set(LODSMITH_COMPONENTS ${LODSMITH_COMPONENTS} ${component} PARENT_SCOPE)
 endfunction()
 
-lodsmith_install_library(lodsmith_core core PC lodsmith-core)
+lodsmith_install_library(lodsmith_core core
+    PC lodsmith-core LIBS_PRIVATE -pthread)
 lodsmith_install_library(lodsmith_analysis analysis
     PC lodsmith-analysis REQUIRES lodsmith-core LIBS_PRIVATE -lembree3)
 lodsmith_install_library(lodsmith_generators generators
@@ -47,7 +48,7 @@ lodsmith_install_library(lodsmith_cache cache
 if(LODSMITH_OGRE)
     lodsmith_install_library(lodsmith ogre
         PC lodsmith REQUIRES "lodsmith-core lodsmith-analysis lodsmith-generators lodsmith-loddef lodsmith-cache OGRE sigc++-2.0"
-        LIBS_PRIVATE "-lmeshoptimizer -pthread")
+        LIBS_PRIVATE -lmeshoptimizer)
     lodsmith_install_library(lodsmith_render render PC lodsmith-render REQUIRES lodsmith)
     # With the prefix of OGRE's package, where OGRE's own plugins are.
     get_filename_component(LODSMITH_PLUGIN_FOLDER "${OGRE_PLUGIN_DIR}" NAME)

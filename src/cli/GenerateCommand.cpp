@@ -219,6 +219,9 @@ int runGenerate(GenerateArguments& arguments)
         throw UsageError("--mesh-version: OGRE writes no levels of detail in mesh formats 1.0 and 1.4");
     resolveLevels(arguments);
     const std::vector<PlannedFile> plan = planFiles(arguments);
+    // Fewer files than may be worked on at a time: each gets its share of the processors.
+    arguments.settings.threads =
+        std::max(1u, arguments.batch.workers / std::max(1u, static_cast<unsigned>(plan.size())));
     std::vector<BatchJob> jobs;
     jobs.reserve(plan.size());
     for (const PlannedFile& file : plan)
@@ -298,7 +301,8 @@ void addRunOptions(CLI::App& command, GenerateArguments& arguments)
     addCountOption(command, "--repeat", arguments.settings.repeat, 1, 100000,
                    "Generate N times, for the times reported [1]")
         ->type_name("N");
-    addCountOption(command, "-j,--jobs", arguments.batch.workers, 1, 1024, "Work on N files at a time [1]")
+    addCountOption(command, "-j,--jobs", arguments.batch.workers, 1, 1024,
+                   "Work on N files at a time, on few large ones with as many threads [1]")
         ->type_name("N");
     addParsedOption(command, "--cache",
                     "Keep levels in this directory, up to 1 GiB, and take from it what was made before",

@@ -30,6 +30,7 @@ struct GenerateSettings {
     bool shareBuffers = false;
     bool separateMeshes = false; ///< levels of foliage may become meshes of their own, in files beside the output
     unsigned repeat = 1;         ///< >= 1
+    unsigned threads = 1;        ///< for one mesh, if it is large
     std::filesystem::path cache; ///< directory that keeps generated levels; empty for none
     WriteOptions write;
 };

@@ -47,6 +47,7 @@ public:
         if (!planned)
             return planned.error();
         mPlan.config.shareIndexBuffers = mSettings.shareBuffers;
+        mPlan.config.options.threads = mSettings.threads;
         return std::move(mPlan);
     }
 

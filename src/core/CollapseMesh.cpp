@@ -60,11 +60,11 @@ void CollapseMesh::buildPlanes()
             sum.weight += weight;
         }
     }
-    mMeanNormals.resize(vertices.size());
+    meanNormals.resize(vertices.size());
     for (std::size_t v = 0; v < vertices.size(); ++v)
         for (std::size_t i = 0; i < 3; ++i) {
             const float steps = kNormalSteps * sums[v].normal[i] / std::max(sums[v].weight, kLeastFloat);
-            mMeanNormals[v][i] = static_cast<std::int8_t>(steps + std::copysign(0.5f, steps));
+            meanNormals[v][i] = static_cast<std::int8_t>(steps + std::copysign(0.5f, steps));
         }
 }
 
@@ -86,31 +86,43 @@ void CollapseMesh::prefetchNeighbours(std::uint32_t vertex) const
         const int next = vertexOf(face.wedge[0]) == vertex ? 1 : vertexOf(face.wedge[1]) == vertex ? 2 : 0;
         prefetch(&vertices[vertexOf(face.wedge[next])]);
         prefetch(attributesOf(face.wedge[next]));
-        prefetch(&mMeanNormals[vertexOf(face.wedge[next])]);
+        prefetch(&meanNormals[vertexOf(face.wedge[next])]);
+    }
+}
+
+void CollapseMesh::countFaces()
+{
+    for (Vertex& vertex : vertices)
+        vertex.liveFaces = 0;
+    liveFaces = liveVertices = 0;
+    for (const Face& face : faces) {
+        if (isGone(face))
+            continue;
+        ++liveFaces;
+        for (std::uint32_t wedge : face.wedge)
+            liveVertices += vertices[vertexOf(wedge)].liveFaces++ == 0;
     }
 }
 
 void CollapseMesh::buildFaceLists()
 {
-    for (const Face& face : faces)
-        for (std::uint32_t wedge : face.wedge)
-            ++vertices[vertexOf(wedge)].liveFaces;
-    liveFaces = static_cast<std::uint32_t>(faces.size());
-    liveVertices = 0;
     std::uint32_t first = 0;
     for (Vertex& vertex : vertices) {
         vertex.firstFace = first;
-        vertex.faceCapacity = vertex.liveFaces + kListSlack;
+        vertex.faceSlots = 0;
+        vertex.faceCapacity = vertex.liveFaces != 0 ? vertex.liveFaces + kListSlack : 0;
         first += vertex.faceCapacity;
-        liveVertices += vertex.liveFaces != 0;
     }
     mFaceLists.reserve(first + first / 8);
     mFaceLists.resize(first);
-    for (std::uint32_t i = 0; i < faces.size(); ++i)
+    for (std::uint32_t i = 0; i < faces.size(); ++i) {
+        if (isGone(faces[i]))
+            continue;
         for (std::uint32_t wedge : faces[i].wedge) {
             Vertex& vertex = vertices[vertexOf(wedge)];
             mFaceLists[vertex.firstFace + vertex.faceSlots++] = i;
         }
+    }
 }
 
 void CollapseMesh::compactFaceList(std::uint32_t vertexNumber)

@@ -116,13 +116,19 @@ public:
     /// Mean of the unit normals that the faces around a vertex had in the input, weighted by their angles; in steps.
     Vec3 meanNormal(std::uint32_t vertex) const
     {
-        const auto& n = mMeanNormals[vertex];
+        const auto& n = meanNormals[vertex];
         return {double(n[0]), double(n[1]), double(n[2])};
     }
     static constexpr float kNormalSteps = 127.0f; ///< in one
 
-    /// Lists the faces of every vertex; to be called once, when all faces are there.
+    /// Counts the vertices and faces that there are.
+    void countFaces();
+
+    /// Lists the faces of every vertex, once they are counted.
     void buildFaceLists();
+
+    /// Gives the lists' memory back until they are built again.
+    void dropFaceLists() { std::vector<std::uint32_t>().swap(mFaceLists); }
 
     /// Gives the remaining faces of a vertex to another; the first is gone with that.
     void moveFaces(std::uint32_t from, std::uint32_t to, const std::uint32_t* moved, std::uint32_t count);
@@ -144,19 +150,21 @@ public:
     std::vector<std::uint32_t> wedgeSubMesh;     ///< submesh; empty when there is only one
     std::vector<std::uint32_t> wedgeMotion;      ///< equal where wedges of a vertex move together; empty when all do
     std::vector<float> importance;               ///< of each vertex, 0..1; empty when all are 0
+    std::vector<std::array<std::int8_t, 3>> meanNormals; ///< in steps, to save memory: half a degree is near enough
 
     std::size_t attributeStride = 0; ///< floats a wedge, even; 0 when no attribute counts
     std::vector<float> attributes;   ///< scaled and weighted, so that their squares add to squared distances
 
     /// What is added to a face's area in costs: a share of the mean face's, so that tips and thin parts, whose faces are
     /// small, are not given away for nothing.
-    float areaBonus() const { return kMeanShare * static_cast<float>(area / liveFaces); }
+    float areaBonus() const { return kMeanShare * static_cast<float>(area / (liveFaces + facesElsewhere)); }
 
     double area = 0.0; ///< of all faces of the input, scaled
     std::uint32_t liveVertices = 0;
     std::uint32_t liveFaces = 0;
-    double scale = 1.0; ///< power of two: scaled = world * scale
-    LodChain summary;   ///< figures of the input, no levels
+    std::uint32_t facesElsewhere = 0; ///< of a mesh of which this is a part
+    double scale = 1.0;               ///< power of two: scaled = world * scale
+    LodChain summary;                 ///< figures of the input, no levels
 
 private:
     static constexpr float kMeanShare = 0.3f; // chosen on the curve of mean and maximum deviation over it
@@ -165,7 +173,6 @@ private:
     void compactAllFaceLists();
 
     std::vector<std::uint32_t> mFaceLists;
-    std::vector<std::array<std::int8_t, 3>> mMeanNormals; ///< in steps, to save memory: half a degree is near enough
 };
 
 } // namespace lodsmith

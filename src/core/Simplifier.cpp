@@ -12,12 +12,25 @@ constexpr std::uint32_t kCacheSize = 8192; // vertices of a mesh that fits the s
 
 } // namespace
 
-Simplifier::Simplifier(CollapseMesh& mesh, std::unique_ptr<CollapseCost> cost, const VertexLocks& locks)
-    : mMesh(mesh), mCost(std::move(cost)), mCheck(mesh), mPieces(mesh), mState(mesh.vertexCount(), 0),
-      mEntries(mesh.vertexCount())
+void CollapseOutcome::add(const CollapseOutcome& other)
 {
-    for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v)
-        if (mesh.isAlive(v))
+    largestDeviation = std::max(largestDeviation, other.largestDeviation);
+    largestLength = std::max(largestLength, other.largestLength);
+    heldByLimit |= other.heldByLimit;
+    heldBySize |= other.heldBySize;
+    heldByScope |= other.heldByScope;
+}
+
+Simplifier::Simplifier(CollapseMesh& mesh, std::unique_ptr<CollapseCost> cost, QueueStates& states,
+                       const CollapseScope& scope)
+    : mMesh(mesh), mCost(std::move(cost)), mCheck(mesh), mPieces(mesh), mStates(states), mScope(scope)
+{
+}
+
+void Simplifier::prepare(const VertexLocks& locks)
+{
+    for (std::uint32_t v = 0; v < mMesh.vertexCount(); ++v)
+        if (mMesh.isAlive(v))
             prepare(v, locks);
 }
 
@@ -26,34 +39,57 @@ void Simplifier::prepare(std::uint32_t v, const VertexLocks& locks)
     const bool precious = !mMesh.importance.empty() && mMesh.importance[v] >= 1.0f;
     if (precious || (locks.seams && mMesh.vertices[v].hasSeam)
         || (locks.borders && mRing.build(mMesh, v) && mRing.isBorder())) {
-        mState[v] = kLocked;
+        mStates.flags[v] = Flag::kLocked;
         return;
     }
     // Most vertices lose a neighbour before their turn comes: it would be too early to evaluate them.
-    mState[v] = kStale;
-    insert(v, mCost->guess(mMesh, v));
+    mStates.flags[v] = Flag::kStale | Flag::kQueued;
+    mStates.entries[v].cost = mCost->guess(mMesh, v);
+}
+
+void Simplifier::fillQueue()
+{
+    const std::uint32_t count = std::min(mScope.vertices, mMesh.vertexCount());
+    for (std::uint32_t v = 0; v < count; ++v) {
+        if (!mMesh.isAlive(v))
+            continue;
+        if (mStates.flags[v] & Flag::kQueued)
+            insert(v, mStates.entries[v].cost);
+        else if (mStates.flags[v] & Flag::kStalled)
+            mStalled.push_back(v);
+    }
+    if (mOutcome.heldByScope)
+        requeueStalled();
+    mOutcome.heldByScope = false;
+}
+
+void Simplifier::clearQueue()
+{
+    mQueue = {};
+    std::vector<std::uint32_t>().swap(mStalled);
 }
 
 /// Sets aside a vertex that can neither be collapsed nor vanish.
 void Simplifier::stall(std::uint32_t vertex)
 {
-    mState[vertex] = kStalled;
+    mStates.flags[vertex] = Flag::kStalled;
     mStalled.push_back(vertex);
 }
 
 void Simplifier::enqueue(std::uint32_t vertex, std::uint32_t target, float cost)
 {
-    mEntries[vertex].target = target;
-    mState[vertex] = 0;
+    mStates.entries[vertex].target = target;
+    mStates.flags[vertex] = 0;
     insert(vertex, cost);
 }
 
 /// Gives a vertex its place in the queue. An entry that it has already counts no more.
 void Simplifier::insert(std::uint32_t vertex, float cost)
 {
-    mState[vertex] |= kQueued;
-    mEntries[vertex].cost = cost;
-    mQueue.insert(cost, vertex);
+    mStates.flags[vertex] |= Flag::kQueued;
+    mStates.entries[vertex].cost = cost;
+    if (vertex < mScope.vertices && cost <= mScope.cost)
+        mQueue.insert(cost, vertex);
 }
 
 bool Simplifier::reached(const CollapseLimits& limits) const
@@ -61,16 +97,22 @@ bool Simplifier::reached(const CollapseLimits& limits) const
     return mMesh.liveVertices <= limits.vertices || mMesh.liveFaces <= limits.triangles;
 }
 
-/// Vertices whose collapses were beyond the last limits get another chance under new ones. (A change among a vertex's
-/// neighbours queues it anyway.)
+/// (A change among a vertex's neighbours queues it anyway.)
+void Simplifier::forgetLimits()
+{
+    if (mOutcome.heldByLimit || mOutcome.heldBySize)
+        requeueStalled();
+    mOutcome.heldByLimit = mOutcome.heldBySize = mMayOvershoot = false;
+}
+
 void Simplifier::requeueStalled()
 {
     std::vector<std::uint32_t> stalled;
     stalled.swap(mStalled);
     for (std::uint32_t v : stalled) {
-        if (!(mState[v] & kStalled) || !mMesh.isAlive(v))
+        if (!(mStates.flags[v] & Flag::kStalled) || !mMesh.isAlive(v))
             continue;
-        mState[v] = kStale;
+        mStates.flags[v] = Flag::kStale;
         insert(v, 0.0f);
     }
 }
@@ -78,10 +120,10 @@ void Simplifier::requeueStalled()
 /// What is left are pieces larger than what is to be taken away: it may be one of them, then.
 bool Simplifier::mayOvershoot()
 {
-    if (!mHeldBySize)
+    if (!mOutcome.heldBySize)
         return false;
     requeueStalled();
-    mHeldBySize = false;
+    mOutcome.heldBySize = false;
     mMayOvershoot = true;
     return true;
 }
@@ -94,7 +136,7 @@ void Simplifier::prefetchAhead() const
     std::uint32_t v;
     if (mQueue.expected(11, v)) {
         mMesh.prefetchVertex(v);
-        prefetch(&mEntries[v]);
+        prefetch(&mStates.entries[v]);
     }
     if (mQueue.expected(8, v))
         mMesh.prefetchFaceList(v);
@@ -110,21 +152,21 @@ void Simplifier::advance(const CollapseLimits& limits)
     const CostMultiset::Entry front = mQueue.pop();
     prefetchAhead();
     const std::uint32_t v = front.vertex;
-    if (!(mState[v] & kQueued) || mEntries[v].cost != front.cost || !mMesh.isAlive(v))
+    if (!(mStates.flags[v] & Flag::kQueued) || mStates.entries[v].cost != front.cost || !mMesh.isAlive(v))
         return;
-    mState[v] &= static_cast<std::uint8_t>(~kQueued);
+    mStates.flags[v] &= static_cast<std::uint8_t>(~Flag::kQueued);
     mFrontCost = front.cost;
     if (!mRing.build(mMesh, v)) {
         stall(v);
         return;
     }
-    const bool stale = mState[v] & kStale;
-    if ((!stale && mEntries[v].target == v) || isLoneTriangle()) {
+    const bool stale = mStates.flags[v] & Flag::kStale;
+    if ((!stale && mStates.entries[v].target == v) || isLoneTriangle()) {
         removePiece(limits);
         return;
     }
     Candidate candidate =
-        stale ? evaluated() : Candidate{static_cast<int>(mRing.find(mMesh, mEntries[v].target)), front.cost};
+        stale ? evaluated() : Candidate{static_cast<int>(mRing.find(mMesh, mStates.entries[v].target)), front.cost};
     if (stale && candidate.neighbour >= 0 && !isFront(candidate.cost)) {
         enqueue(candidate);
         return;
@@ -145,7 +187,7 @@ void Simplifier::advance(const CollapseLimits& limits)
         collapse(candidate);
     } else {
         enqueue(candidate);
-        mState[v] |= kHeldBack;
+        mStates.flags[v] |= Flag::kHeldBack;
     }
 }
 
@@ -160,14 +202,24 @@ bool Simplifier::isLoneTriangle() const
 bool Simplifier::neighbourStandsForPiece() const
 {
     return std::any_of(mRing.neighbours, mRing.neighbours + mRing.neighbourCount, [this](const auto& neighbour) {
-        return mState[neighbour.vertex] == kQueued && mEntries[neighbour.vertex].target == neighbour.vertex;
+        return mStates.flags[neighbour.vertex] == Flag::kQueued
+               && mStates.entries[neighbour.vertex].target == neighbour.vertex;
     });
 }
 
 bool Simplifier::isPieceLocked() const
 {
     return std::any_of(mPieces.vertices().begin(), mPieces.vertices().end(),
-                       [this](std::uint32_t vertex) { return mState[vertex] & kLocked; });
+                       [this](std::uint32_t vertex) { return mStates.flags[vertex] & Flag::kLocked; });
+}
+
+/// Whether a piece is the only one in a part of the mesh, or lies in another as well.
+bool Simplifier::exceedsScope() const
+{
+    const auto isOutside = [this](std::uint32_t vertex) { return vertex >= mScope.vertices; };
+    return !mScope.isWhole()
+           && (mPieces.faces().size() == mMesh.liveFaces
+               || std::any_of(mPieces.vertices().begin(), mPieces.vertices().end(), isOutside));
 }
 
 double Simplifier::importanceOfPiece() const
@@ -196,7 +248,9 @@ bool Simplifier::overshoots(const CollapseLimits& limits) const
 void Simplifier::removePiece(const CollapseLimits& limits)
 {
     const std::uint32_t v = mRing.vertex;
-    if (neighbourStandsForPiece() || !mPieces.find(mRing) || isPieceLocked()) {
+    const bool isPiece = !neighbourStandsForPiece() && mPieces.find(mRing);
+    if (!isPiece || isPieceLocked() || exceedsScope()) {
+        mOutcome.heldByScope |= exceedsScope();
         stall(v);
         return;
     }
@@ -204,17 +258,18 @@ void Simplifier::removePiece(const CollapseLimits& limits)
     // It is compared with single collapses, so each that it saves bears its share.
     const float cost = mCost->costOf(length, mPieces.area() / collapsesSaved(limits));
     if (mPieces.deviation() > limits.deviation || length > limits.length) {
-        mHeldByLimit = true;
+        // In a part the nearest face may be farther away than it is in the whole.
+        (mScope.isWhole() ? mOutcome.heldByLimit : mOutcome.heldByScope) = true;
         stall(v);
     } else if (!isFront(cost)) {
         enqueue(v, v, cost);
     } else if (overshoots(limits) && !mMayOvershoot) {
-        mHeldBySize = true;
+        (mScope.isWhole() ? mOutcome.heldBySize : mOutcome.heldByScope) = true;
         stall(v);
     } else {
         mPieces.remove();
-        mLargestDeviation = std::max(mLargestDeviation, mPieces.deviation());
-        mLargestLength = std::max(mLargestLength, length);
+        mOutcome.largestDeviation = std::max(mOutcome.largestDeviation, mPieces.deviation());
+        mOutcome.largestLength = std::max(mOutcome.largestLength, length);
     }
 }
 
@@ -238,7 +293,7 @@ bool Simplifier::withinLimits(const CollapseLimits& limits, const Candidate& can
     mPatchDeviation.evaluate(mRing, mMesh, static_cast<std::uint32_t>(candidate.neighbour));
     mLength = mCost->lengthOf(candidate.cost, mMesh, mRing);
     const bool within = mPatchDeviation.largest() <= limits.deviation && mLength <= limits.length;
-    mHeldByLimit |= !within;
+    mOutcome.heldByLimit |= !within;
     return within;
 }
 
@@ -248,8 +303,8 @@ void Simplifier::collapse(const Candidate& candidate)
     mWedges.build(mMesh, mRing, neighbour);
     moveFaces(neighbour);
     touchRing();
-    mLargestDeviation = std::max(mLargestDeviation, mPatchDeviation.largest());
-    mLargestLength = std::max(mLargestLength, mLength);
+    mOutcome.largestDeviation = std::max(mOutcome.largestDeviation, mPatchDeviation.largest());
+    mOutcome.largestLength = std::max(mOutcome.largestLength, mLength);
 }
 
 void Simplifier::moveFaces(std::uint32_t neighbour)
@@ -277,10 +332,10 @@ void Simplifier::touchRing()
 {
     for (std::uint32_t i = 0; i < mRing.neighbourCount; ++i) {
         const std::uint32_t v = mRing.neighbours[i].vertex;
-        if (mState[v] & kLocked)
+        if (mStates.flags[v] & Flag::kLocked)
             continue;
-        const bool waits = (mState[v] & (kQueued | kHeldBack)) == kQueued;
-        mState[v] = static_cast<std::uint8_t>((mState[v] & kQueued) | kStale);
+        const bool waits = (mStates.flags[v] & (Flag::kQueued | Flag::kHeldBack)) == Flag::kQueued;
+        mStates.flags[v] = static_cast<std::uint8_t>((mStates.flags[v] & Flag::kQueued) | Flag::kStale);
         if (!waits)
             insert(v, mFrontCost);
     }
@@ -298,7 +353,7 @@ StopReason Simplifier::whyStuck()
 
 StopReason Simplifier::whyStuck(std::uint32_t vertex)
 {
-    if (mState[vertex] & kLocked)
+    if (mStates.flags[vertex] & Flag::kLocked)
         return StopReason::Locked;
     if (mRing.build(mMesh, vertex))
         for (std::uint32_t i = 0; i < mRing.neighbourCount; ++i)

@@ -7,10 +7,12 @@
 #include "OneRing.h"
 #include "PatchDeviation.h"
 #include "PieceRemoval.h"
+#include "QueueStates.h"
 #include "WedgeMap.h"
 
 #include <lodsmith/core/LodChain.h>
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -30,22 +32,58 @@ struct VertexLocks {
     bool seams = false;
 };
 
+/// What became of a mesh, or of a part of it, so far.
+struct CollapseOutcome {
+    double largestDeviation = 0.0; ///< of all collapses, scaled
+    double largestLength = 0.0;    ///< their costs as lengths, scaled
+    bool heldByLimit = false;      ///< some collapse was refused by the limits alone
+    bool heldBySize = false;       ///< some piece was larger than what is left to take away
+    bool heldByScope = false;      ///< some piece waits until the mesh is looked at as a whole
+
+    void add(const CollapseOutcome& other);
+};
+
+/// What of a mesh a simplifier looks after. The rest is looked at and stays as it is.
+struct CollapseScope {
+    std::uint32_t vertices = kNone;                      ///< those with smaller numbers may be collapsed
+    float cost = std::numeric_limits<float>::infinity(); ///< and only entries that cost no more than this are
+    bool isWhole() const { return vertices == kNone; }
+};
+
 /// Collapses half-edges, cheapest first, until told to stop; then again, further.
 ///
 /// Costs are evaluated lazily: a collapse only marks its neighbours, and a marked vertex is evaluated again when it comes to
 /// the front of the queue. Whether a collapse is allowed is asked of the one in front alone.
 class Simplifier {
 public:
-    /// Finds locked vertices and queues every other one.
-    Simplifier(CollapseMesh& mesh, std::unique_ptr<CollapseCost> cost, const VertexLocks& locks);
+    Simplifier(CollapseMesh& mesh, std::unique_ptr<CollapseCost> cost, QueueStates& states,
+               const CollapseScope& scope = {});
+
+    /// Finds locked vertices and gives every other one a first entry. The queue itself stays empty.
+    void prepare(const VertexLocks& locks);
+
+    /// Fills the queue, which is empty, with the entries of all vertices that it looks after. Those whose pieces waited for
+    /// that are looked at again.
+    void fillQueue();
+
+    /// Gives the queue's memory back.
+    void clearQueue();
+
+    /// Lets vertices whose collapses the last limits forbade be looked at again; to be called before a run with new ones.
+    void forgetLimits();
 
     /// Continues until the limits are met or nothing is left to collapse. `step` is called now and then; false stops.
     template <class Step>
     StopReason run(const CollapseLimits& limits, Step&& step)
     {
-        if (mHeldByLimit || mHeldBySize)
-            requeueStalled();
-        mHeldByLimit = mHeldBySize = mMayOvershoot = false;
+        collapseAll(limits, step);
+        return reached(limits) || mOutcome.heldByLimit ? StopReason::TargetReached : whyStuck();
+    }
+
+    /// The same without finding out why it stopped.
+    template <class Step>
+    void collapseAll(const CollapseLimits& limits, Step&& step)
+    {
         for (std::uint32_t steps = 0; !reached(limits); ++steps) {
             if (steps % 1024 == 0 && !step())
                 break;
@@ -53,26 +91,13 @@ public:
                 break;
             advance(limits);
         }
-        return reached(limits) || mHeldByLimit ? StopReason::TargetReached : whyStuck();
     }
 
-    double largestDeviation() const { return mLargestDeviation; }
-    double largestLength() const { return mLargestLength; }
+    const CollapseOutcome& outcome() const { return mOutcome; }
+    CollapseOutcome& outcome() { return mOutcome; }
 
 private:
-    enum State : std::uint8_t {
-        kQueued = 1, ///< has an entry in the queue
-        kStale = 2,  ///< its neighbourhood changed since it was evaluated
-        kLocked = 4,
-        kStalled = 8,   ///< had no allowed collapse when last looked at
-        kHeldBack = 16, ///< a cheaper collapse than that of its entry was forbidden when last looked at
-    };
-
-    struct QueueEntry {
-        float cost = 0.0f; ///< an entry with another cost counts no more
-        std::uint32_t target =
-            kNone; ///< of the cheapest collapse, as last evaluated; itself when its piece is to vanish
-    };
+    using Flag = QueueStates::Flag;
 
     void prepare(std::uint32_t vertex, const VertexLocks& locks);
     bool reached(const CollapseLimits& limits) const;
@@ -91,6 +116,7 @@ private:
     bool isLoneTriangle() const;
     bool neighbourStandsForPiece() const;
     bool isPieceLocked() const;
+    bool exceedsScope() const;
     double importanceOfPiece() const;
     double collapsesSaved(const CollapseLimits& limits) const;
     void removePiece(const CollapseLimits& limits);
@@ -99,7 +125,7 @@ private:
     bool withinLimits(const CollapseLimits& limits, const Candidate& candidate);
     /// Whether a collapse may go ahead although others look cheaper by less than half: looking at those first costs more
     /// evaluations than it gains.
-    bool isFront(float cost) { return mQueue.empty() || cost <= 1.5f * mQueue.top().cost; }
+    bool isFront(float cost) { return cost <= 1.5f * (mQueue.empty() ? mScope.cost : mQueue.top().cost); }
     void collapse(const Candidate& candidate);
     void moveFaces(std::uint32_t neighbour);
     void touchRing();
@@ -114,16 +140,13 @@ private:
     PatchDeviation mPatchDeviation;
     OneRing mRing;
     WedgeMap mWedges;
-    std::vector<std::uint8_t> mState;
-    std::vector<QueueEntry> mEntries; ///< of each vertex
+    QueueStates& mStates;
+    CollapseScope mScope;
     std::vector<std::uint32_t> mStalled;
-    float mFrontCost = 0.0f; ///< of the entry looked at last
-    double mLength = 0.0;    ///< the candidate's cost as a length
-    double mLargestDeviation = 0.0;
-    double mLargestLength = 0.0;
-    bool mHeldByLimit = false;  ///< some collapse was refused by this run's limits alone
-    bool mHeldBySize = false;   ///< some piece was larger than what is left to take away
-    bool mMayOvershoot = false; ///< ... and is taken all the same, as nothing else can be
+    CollapseOutcome mOutcome;
+    float mFrontCost = 0.0f;    ///< of the entry looked at last
+    double mLength = 0.0;       ///< the candidate's cost as a length
+    bool mMayOvershoot = false; ///< a piece larger than what is left to take away goes all the same: nothing else can
 };
 
 } // namespace lodsmith

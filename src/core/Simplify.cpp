@@ -2,8 +2,10 @@
 
 #include "Attributes.h"
 #include "CurvatureCost.h"
+#include "PartRounds.h"
 #include "QuadricCost.h"
 #include "Simplifier.h"
+#include "Watch.h"
 #include "Weld.h"
 
 #include <algorithm>
@@ -93,30 +95,23 @@ std::vector<std::vector<std::uint32_t>> snapshot(const CollapseMesh& mesh)
     return lists;
 }
 
-/// Reports how many of the vertices that the levels ask to remove are gone.
-class Watch {
-public:
-    Watch(Progress* progress, const CollapseMesh& mesh, const std::vector<LevelTarget>& targets)
-        : mProgress(progress), mMesh(mesh)
-    {
-        for (const LevelTarget& target : targets)
-            mLeast = std::min(mLeast, std::max(limitsOf(target, mesh).vertices, limitsOf(target, mesh).triangles / 2));
+/// Vertices that are left when all levels are made, at least.
+std::uint32_t fewestVertices(const std::vector<LevelTarget>& targets, const CollapseMesh& mesh)
+{
+    std::uint32_t fewest = kNone;
+    for (const LevelTarget& target : targets) {
+        const CollapseLimits limits = limitsOf(target, mesh);
+        fewest = std::min(fewest, std::max(limits.vertices, limits.triangles / 2));
     }
+    return fewest;
+}
 
-    bool goesOn() const
-    {
-        if (!mProgress)
-            return true;
-        const double all = mMesh.summary.vertices, wanted = all - std::min<double>(mLeast, all);
-        mProgress->report(wanted > 0.0 ? static_cast<float>(std::min(1.0, (all - mMesh.liveVertices) / wanted)) : 0.0f);
-        return !mProgress->cancelled();
-    }
-
-private:
-    Progress* mProgress;
-    const CollapseMesh& mMesh;
-    std::uint32_t mLeast = kNone;
-};
+std::unique_ptr<CollapseCost> makeCost(Metric metric)
+{
+    if (metric == Metric::Quadric)
+        return std::make_unique<QuadricCost>();
+    return std::make_unique<CurvatureCost>();
+}
 
 bool isCancelled(const Progress* progress)
 {
@@ -142,30 +137,42 @@ Result<LodChain> run(const MeshView& view, const std::vector<LevelTarget>& targe
             progress->report(1.0f);
         return mesh.summary;
     }
-    mesh.buildFaceLists();
-    std::unique_ptr<CollapseCost> cost;
-    if (options.metric == Metric::Quadric)
-        cost = std::make_unique<QuadricCost>();
-    else
-        cost = std::make_unique<CurvatureCost>();
     if (isCancelled(progress))
         return cancelled;
-    Simplifier simplifier(mesh, std::move(cost), {options.lockBorders, options.lockSeams});
-    const Watch watch(progress, mesh, targets);
+    const Watch watch(progress, mesh.summary.vertices, fewestVertices(targets, mesh));
+    const VertexLocks locks{options.lockBorders, options.lockSeams};
+    const auto cost = [&options] { return makeCost(options.metric); };
+    QueueStates states(mesh.vertexCount());
+    Simplifier simplifier(mesh, cost(), states);
+    std::optional<PartRounds> rounds;
+    if (PartRounds::isFor(mesh)) {
+        rounds.emplace(mesh, states, cost, options.threads, watch);
+        rounds->prepare(locks);
+    } else {
+        mesh.countFaces();
+        mesh.buildFaceLists();
+        simplifier.prepare(locks);
+        simplifier.fillQueue();
+    }
     LodChain chain = mesh.summary;
     const double rounding = kRounding * chain.radius;
     std::uint32_t verticesBefore = mesh.liveVertices;
     for (const LevelTarget& target : targets) {
         LodChainLevel level;
-        level.stop = simplifier.run(limitsOf(target, mesh), [&] { return watch.goesOn(); });
+        const CollapseLimits limits = limitsOf(target, mesh);
+        simplifier.forgetLimits();
+        if (rounds)
+            rounds->run(limits, simplifier);
+        level.stop = simplifier.run(limits, [&] { return watch.report(mesh.liveVertices); });
         if (isCancelled(progress))
             return cancelled;
         level.vertices = mesh.liveVertices;
         level.triangles = mesh.liveFaces;
         if (mesh.liveVertices
             < mesh.summary.vertices) // two points of one mesh are never farther apart than its diameter
-            level.deviation = std::min(simplifier.largestDeviation() / mesh.scale + rounding, 2.0 * chain.radius);
-        level.cost = simplifier.largestLength() / mesh.scale;
+            level.deviation =
+                std::min(simplifier.outcome().largestDeviation / mesh.scale + rounding, 2.0 * chain.radius);
+        level.cost = simplifier.outcome().largestLength / mesh.scale;
         level.skipped = mesh.liveVertices == verticesBefore;
         if (!level.skipped)
             level.indices = snapshot(mesh);

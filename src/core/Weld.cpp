@@ -15,6 +15,7 @@ namespace {
 constexpr float kLargest = 1e18f;               // the square of a length stays inside a float
 constexpr float kBoneTolerance = 1.0f / 256.0f; // what exporters round away
 constexpr float kOffsetTolerance = 1e-5f;       // share of the offset; what exporters round away
+constexpr std::uint32_t kBlock = 32;            // triangles
 constexpr std::uint32_t kExtra = 0x80000000u;   // marks a further wedge while the number of vertices is not known yet
 
 using Position = std::array<float, 3>;
@@ -39,10 +40,10 @@ std::size_t hashOf(const Position& p)
 using Triple = std::array<std::uint32_t, 3>;
 
 /// The same whichever corner comes first.
-std::size_t hashOf(const Triple& v)
+std::uint32_t hashOf(const Triple& v)
 {
     constexpr std::uint64_t k = 0x9E3779B97F4A7C15ull;
-    return static_cast<std::size_t>(((k + v[0]) * (k + v[1]) * (k + v[2])) >> 32);
+    return static_cast<std::uint32_t>(((k + v[0]) * (k + v[1]) * (k + v[2])) >> 32);
 }
 
 /// Whether two faces have the same vertices and winding.
@@ -182,7 +183,7 @@ private:
         for (std::size_t b = 0; b < mView.vertexBuffers.size(); ++b)
             mWedgeOf[b].assign(mView.vertexBuffers[b].vertexCount, kNone);
         mSlots.assign(slotsFor(vertices), kNone);
-        mFaceSlots.assign(slotsFor(triangles), kNone);
+        mFaceSlots.assign(slotsFor(triangles), {0, kNone});
         return std::nullopt;
     }
 
@@ -196,20 +197,51 @@ private:
                                        : addFaces(number, static_cast<const std::uint32_t*>(subMesh.indices));
     }
 
+    /// In blocks, so that what a block will look up in the hash tables is asked for at once.
     template <class Index>
     std::optional<Error> addFaces(int number, const Index* indices)
     {
         const SubMeshView& subMesh = mView.subMeshes[static_cast<std::size_t>(number)];
-        const std::uint32_t* wedgeOf = mWedgeOf[subMesh.vertexBuffer].data();
-        const std::uint32_t vertexCount = mView.vertexBuffers[subMesh.vertexBuffer].vertexCount;
-        for (std::uint32_t first = 0; first + 2 < subMesh.indexCount; first += 3) {
-            for (std::uint32_t at = first; at < first + 3; ++at)
-                if (indices[at] >= vertexCount || !isOfThisSubMesh(wedgeOf[indices[at]]))
-                    if (auto error = addWedge(number, at, indices[at]))
-                        return error;
-            addFace({wedgeOf[indices[first]], wedgeOf[indices[first + 1]], wedgeOf[indices[first + 2]]});
+        for (std::uint32_t first = 0; first + 2 < subMesh.indexCount; first += 3 * kBlock) {
+            const std::uint32_t end = first + std::min(subMesh.indexCount - first, 3 * kBlock);
+            for (std::uint32_t at = first; at < end; ++at)
+                prefetchWedge(subMesh.vertexBuffer, indices[at]);
+            if (auto error = addWedges(number, indices, first, end))
+                return error;
+            addFaces(mWedgeOf[subMesh.vertexBuffer].data(), indices + first, end - first);
         }
         return std::nullopt;
+    }
+
+    template <class Index>
+    std::optional<Error> addWedges(int number, const Index* indices, std::uint32_t first, std::uint32_t end)
+    {
+        const std::uint32_t buffer = mView.subMeshes[static_cast<std::size_t>(number)].vertexBuffer;
+        const std::uint32_t* wedgeOf = mWedgeOf[buffer].data();
+        for (std::uint32_t at = first; at < end; ++at)
+            if (indices[at] >= mView.vertexBuffers[buffer].vertexCount || !isOfThisSubMesh(wedgeOf[indices[at]]))
+                if (auto error = addWedge(number, at, indices[at]))
+                    return error;
+        return std::nullopt;
+    }
+
+    template <class Index>
+    void addFaces(const std::uint32_t* wedgeOf, const Index* indices, std::uint32_t count)
+    {
+        Triple wedges[kBlock];
+        for (std::uint32_t i = 0; i < count / 3; ++i) {
+            wedges[i] = {wedgeOf[indices[3 * i]], wedgeOf[indices[3 * i + 1]], wedgeOf[indices[3 * i + 2]]};
+            prefetch(&mFaceSlots[hashOf(provisionalVerticesOf(wedges[i].data())) & (mFaceSlots.size() - 1)]);
+        }
+        for (std::uint32_t i = 0; i < count / 3; ++i)
+            addFace(wedges[i]);
+    }
+
+    void prefetchWedge(std::uint32_t bufferNumber, std::uint32_t index) const
+    {
+        const VertexBufferView& buffer = mView.vertexBuffers[bufferNumber];
+        if (index < buffer.vertexCount && mWedgeOf[bufferNumber][index] == kNone)
+            prefetch(&mSlots[hashOf(readPosition(buffer, index)) & (mSlots.size() - 1)]);
     }
 
     /// Each submesh has its own wedges, which are added while it is read.
@@ -234,12 +266,13 @@ private:
     bool isRepeated(const Triple& vertices)
     {
         const std::size_t mask = mFaceSlots.size() - 1;
-        std::size_t slot = hashOf(vertices) & mask;
-        for (; mFaceSlots[slot] != kNone; slot = (slot + 1) & mask)
-            if (mFaceSlots[slot] >= mMesh.firstFaceOfSubMesh.back()
-                && sameFace(provisionalVerticesOf(mMesh.faces[mFaceSlots[slot]].wedge), vertices))
+        const std::uint32_t hash = hashOf(vertices);
+        std::size_t slot = hash & mask;
+        for (; mFaceSlots[slot].face != kNone; slot = (slot + 1) & mask)
+            if (mFaceSlots[slot].hash == hash && mFaceSlots[slot].face >= mMesh.firstFaceOfSubMesh.back()
+                && sameFace(provisionalVerticesOf(mMesh.faces[mFaceSlots[slot].face].wedge), vertices))
                 return true;
-        mFaceSlots[slot] = static_cast<std::uint32_t>(mMesh.faces.size());
+        mFaceSlots[slot] = {hash, static_cast<std::uint32_t>(mMesh.faces.size())};
         return false;
     }
 
@@ -353,6 +386,11 @@ private:
         mMesh.importance[vertex] = std::max(mMesh.importance[vertex], importance);
     }
 
+    struct FaceSlot {
+        std::uint32_t hash; ///< which spares looking at most faces that are others
+        std::uint32_t face; ///< kNone when the slot is free
+    };
+
     struct WedgeRecord {
         std::uint32_t subMesh, index, next, motion;
     };
@@ -384,7 +422,8 @@ private:
 
     void finish()
     {
-        mSlots = mFaceSlots = {};
+        mSlots = {};
+        mFaceSlots = {};
         if (!mExtra.empty())
             numberExtraWedges();
         if (!mMesh.importance.empty())
@@ -453,7 +492,7 @@ private:
     CollapseMesh mMesh;
     std::vector<std::vector<std::uint32_t>> mWedgeOf; ///< of each buffer's vertices, kNone when not referenced
     std::vector<std::uint32_t> mSlots;                ///< hash table of positions: vertex numbers
-    std::vector<std::uint32_t> mFaceSlots;            ///< hash table of faces
+    std::vector<FaceSlot> mFaceSlots;                 ///< hash table of faces
     std::vector<WedgeRecord> mExtra;                  ///< wedges besides the first of a vertex
     std::uint32_t mFirstNew = 0, mFirstNewExtra = 0;  ///< first numbers of this submesh's wedges, of either kind
     bool mManySubMeshes = false;

@@ -64,12 +64,17 @@ inline std::string bytesOf(const LodChain& chain)
 }
 
 /// A chain's bytes, or the error as text.
+inline std::string outcomeOf(const TestMesh& mesh, const SimplifyOptions& options)
+{
+    const Result<LodChain> result = simplify(mesh.view(), kDeterminismTargets, options);
+    return result.ok() ? bytesOf(result.value()) : describe(result.error());
+}
+
 inline std::string outcomeOf(const TestMesh& mesh, Metric metric)
 {
     SimplifyOptions options;
     options.metric = metric;
-    const Result<LodChain> result = simplify(mesh.view(), kDeterminismTargets, options);
-    return result.ok() ? bytesOf(result.value()) : describe(result.error());
+    return outcomeOf(mesh, options);
 }
 
 } // namespace lodsmith::test

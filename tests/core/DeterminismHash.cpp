@@ -36,5 +36,10 @@ int main()
             std::printf(" %016llx", static_cast<unsigned long long>(hashOf(lodsmith::test::outcomeOf(mesh, metric))));
         std::printf("\n");
     }
+    const lodsmith::test::TestMesh large = lodsmith::test::makeTerrain(260); // that is worked on in parts
+    lodsmith::SimplifyOptions options;
+    options.threads = 2;
+    std::printf("large: input %016llx %016llx\n", static_cast<unsigned long long>(hashOf(large)),
+                static_cast<unsigned long long>(hashOf(lodsmith::test::outcomeOf(large, options))));
     return 0;
 }

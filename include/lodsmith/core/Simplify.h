@@ -48,6 +48,8 @@ struct SimplifyOptions {
     AttributeWeights weights;
     bool lockBorders = false; ///< vertices on a border stay, so that neighbouring chunks go on matching
     bool lockSeams = false;   ///< vertices with more than one wedge stay
+    /// Threads that a large mesh may be worked on by, the caller's included; 0 counts as 1. Changes no result.
+    unsigned threads = 1;
 };
 
 /// Simplifies a mesh by half-edge collapse and returns one level for each target, from a single pass.
