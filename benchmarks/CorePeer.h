@@ -11,6 +11,7 @@ class CorePeer : public Peer {
 public:
     CorePeer(std::string name, SimplifyOptions options) : Peer(std::move(name)), mOptions(options) {}
 
+    const SimplifyOptions* options() const override { return &mOptions; }
     bool knows(LevelTarget::Kind) const override { return true; }
     double generate(Subject& subject, const std::vector<LevelTarget>& targets) override;
     std::vector<PeerLevel> levels(const Subject& subject) const override;

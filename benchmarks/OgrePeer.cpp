@@ -11,6 +11,16 @@
 
 namespace lodsmith::benchmarks {
 
+namespace {
+
+Ogre::LodLevel::VertexReductionMethod methodFor(LevelTarget::Kind kind)
+{
+    return kind == LevelTarget::Kind::CollapseCost ? Ogre::LodLevel::VRM_COLLAPSE_COST
+                                                   : Ogre::LodLevel::VRM_PROPORTIONAL;
+}
+
+} // namespace
+
 double OgrePeer::generate(Subject& subject, const std::vector<LevelTarget>& targets)
 {
     Ogre::MeshPtr mesh = subject.mesh();
@@ -18,7 +28,7 @@ double OgrePeer::generate(Subject& subject, const std::vector<LevelTarget>& targ
     config.advanced.useBackgroundQueue = false;
     Ogre::Real distance = 0;
     for (const LevelTarget& target : targets)
-        config.createGeneratedLodLevel(distance += 100, Ogre::Real(target.amount), Ogre::LodLevel::VRM_PROPORTIONAL);
+        config.createGeneratedLodLevel(distance += 100, Ogre::Real(target.amount), methodFor(target.kind));
 
     const auto start = std::chrono::steady_clock::now();
     Ogre::LodCollapseCostPtr cost;

@@ -11,7 +11,12 @@ public:
 
     OgrePeer(std::string name, Cost cost) : Peer(std::move(name)), mCost(cost) {}
 
-    bool knows(LevelTarget::Kind kind) const override { return kind == LevelTarget::Kind::Proportional; }
+    /// Costs of the quadric metric are areas, not lengths.
+    bool knows(LevelTarget::Kind kind) const override
+    {
+        return kind == LevelTarget::Kind::Proportional
+               || (kind == LevelTarget::Kind::CollapseCost && mCost == Cost::Curvature);
+    }
     double generate(Subject& subject, const std::vector<LevelTarget>& targets) override;
     std::vector<PeerLevel> levels(const Subject& subject) const override;
     void reset(Subject& subject) override { subject.removeLevels(); }

@@ -1,10 +1,11 @@
 #include "PeakMemory.h"
 
-#include <cstdio>
 #include <fstream>
+#include <stdexcept>
+
+#include <fcntl.h>
 #include <malloc.h>
 #include <spawn.h>
-#include <stdexcept>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -59,28 +60,32 @@ std::optional<pid_t> startSelf(const std::vector<std::string>& arguments, int ou
 
 } // namespace
 
-long peakGrowthKb(Peer& peer, Subject& subject)
+long peakGrowthKb(const std::function<void()>& work)
 {
     malloc_trim(0);
     resetPeak();
     const long before = statusKb("VmHWM:");
-    peer.generate(subject, halvings());
+    work();
     return statusKb("VmHWM:") - before;
 }
 
-std::optional<long> peakGrowthInOwnProcess(const std::vector<std::string>& arguments)
+Trial tryInOwnProcess(const std::vector<std::string>& arguments)
 {
     int ends[2];
-    if (pipe(ends) != 0)
-        return std::nullopt;
+    if (pipe2(ends, O_CLOEXEC) != 0)
+        return {{}, "no pipe can be made"};
     const std::optional<pid_t> child = startSelf(arguments, ends[1]);
     close(ends[1]);
     const std::string text = readAll(ends[0]);
     close(ends[0]);
     int status = 0;
-    if (!child || waitpid(*child, &status, 0) != *child || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
-        return std::nullopt;
-    return std::stol(text);
+    if (!child || waitpid(*child, &status, 0) != *child)
+        return {{}, "no process can be started"};
+    if (WIFSIGNALED(status))
+        return {{}, "ended by signal " + std::to_string(WTERMSIG(status))};
+    if (WEXITSTATUS(status) != 0)
+        return {{}, text.substr(0, text.find('\n'))};
+    return {std::stol(text), ""};
 }
 
 } // namespace lodsmith::benchmarks

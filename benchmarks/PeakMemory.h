@@ -1,18 +1,24 @@
 #pragma once
 
-#include "Peer.h"
-
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace lodsmith::benchmarks {
 
-/// How far the process's resident memory rises above where it was, in kB, while a peer makes its chain. Linux only.
-long peakGrowthKb(Peer& peer, Subject& subject);
+/// How far the process's resident memory rises above where it was, in kB, during some work. Linux only.
+long peakGrowthKb(const std::function<void()>& work);
 
-/// The same in a process of its own, so that no peer finds memory that another left behind.
-/// @param arguments  what makes this program print peakGrowthKb() on standard output
-/// @return nothing when that process failed
-std::optional<long> peakGrowthInOwnProcess(const std::vector<std::string>& arguments);
+/// What a process of its own came to.
+struct Trial {
+    std::optional<long> peakKb;
+    std::string trouble; ///< why there is no figure
+};
+
+/// Has this program print a figure of peakGrowthKb() in a process of its own, so that nobody finds memory that another left
+/// behind, and whatever ends that process ends nothing else.
+/// @param arguments  what makes this program print the figure on standard output, or the trouble and exit with 1
+Trial tryInOwnProcess(const std::vector<std::string>& arguments);
 
 } // namespace lodsmith::benchmarks

@@ -25,6 +25,14 @@ std::vector<std::unique_ptr<Peer>> makePeers()
     return peers;
 }
 
+std::unique_ptr<Peer> makePeer(const std::string& name)
+{
+    for (std::unique_ptr<Peer>& peer : makePeers())
+        if (peer->name() == name)
+            return std::move(peer);
+    return nullptr;
+}
+
 std::vector<LevelTarget> halvings()
 {
     std::vector<LevelTarget> targets;

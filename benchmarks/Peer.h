@@ -24,6 +24,9 @@ public:
 
     const std::string& name() const { return mName; }
 
+    /// The options of a peer that is Lodsmith's own; null for the others.
+    virtual const SimplifyOptions* options() const { return nullptr; }
+
     /// False for a target kind that the peer does not know: OGRE's generator has no triangle targets.
     virtual bool knows(LevelTarget::Kind kind) const = 0;
 
@@ -48,6 +51,9 @@ inline constexpr const char* kLodsmithCore = "lodsmith-core";
 
 /// Every peer, in the order of the tables' columns.
 std::vector<std::unique_ptr<Peer>> makePeers();
+
+/// One of them by name; null where there is none of that name.
+std::unique_ptr<Peer> makePeer(const std::string& name);
 
 /// Four levels at 0.5, 0.75, 0.875 and 0.9375 of the vertices removed.
 std::vector<LevelTarget> halvings();

@@ -11,6 +11,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include <fnmatch.h>
+
 namespace lodsmith::benchmarks {
 
 namespace {
@@ -53,7 +55,15 @@ std::unique_ptr<Subject> loadFile(const std::string& name, const fs::path& path)
 SubjectSource tessellationSource(Surface surface, std::uint32_t triangles, const std::string& size)
 {
     const std::string name = (surface == Surface::Planet ? "planet-" : "terrain-") + size;
-    return {name, [=] { return std::make_unique<Subject>(name, tessellate(name, surface, triangles)); }};
+    constexpr double kBytesOfTriangle = 30.0;
+    return {name, name, kBytesOfTriangle * triangles,
+            [=] { return std::make_unique<Subject>(name, tessellate(name, surface, triangles)); }};
+}
+
+SubjectSource fileSource(const std::string& name, const fs::path& file)
+{
+    return {name, fs::absolute(file).lexically_normal().string(), double(fs::file_size(file)),
+            [=] { return loadFile(name, file); }};
 }
 
 void addFiles(const fs::path& directory, std::vector<SubjectSource>& sources)
@@ -67,8 +77,30 @@ void addFiles(const fs::path& directory, std::vector<SubjectSource>& sources)
     std::sort(files.begin(), files.end());
     for (const fs::path& file : files) {
         const std::string name = fs::relative(file, directory).replace_extension().generic_string();
-        sources.push_back({name, [=] { return loadFile(name, file); }});
+        sources.push_back(fileSource(name, file));
     }
+}
+
+/// By the whole name or its last part.
+bool matches(const std::string& name, const std::string& pattern)
+{
+    const std::string last = name.substr(name.rfind('/') + 1);
+    return fnmatch(pattern.c_str(), name.c_str(), 0) == 0 || fnmatch(pattern.c_str(), last.c_str(), 0) == 0;
+}
+
+void addWish(const std::string& wish, std::vector<SubjectSource>& sources)
+{
+    const std::size_t before = sources.size();
+    if (fs::is_directory(wish))
+        addFiles(wish, sources);
+    else if (fs::is_regular_file(wish))
+        sources.push_back(fileSource(fs::path(wish).stem().string(), wish));
+    else
+        for (SubjectSource& source : allSubjects({}))
+            if (matches(source.name, wish))
+                sources.push_back(std::move(source));
+    if (sources.size() == before)
+        throw std::runtime_error(wish + ": no mesh, no directory of meshes, and no mesh of this name");
 }
 
 } // namespace
@@ -140,6 +172,18 @@ std::vector<SubjectSource> scalingSubjects()
     };
 }
 
+namespace {
+
+std::vector<SubjectSource> tessellations()
+{
+    std::vector<SubjectSource> sources = scalingSubjects();
+    sources.push_back(tessellationSource(Surface::Terrain, 64000, "64k"));
+    sources.push_back(tessellationSource(Surface::Terrain, 1000000, "1M"));
+    return sources;
+}
+
+} // namespace
+
 std::vector<SubjectSource> allSubjects(const std::vector<std::string>& furtherMedia)
 {
     std::vector<SubjectSource> sources;
@@ -147,10 +191,28 @@ std::vector<SubjectSource> allSubjects(const std::vector<std::string>& furtherMe
     addFiles(LODSMITH_BENCHMARK_EXTRA_MEDIA, sources);
     for (const std::string& directory : furtherMedia)
         addFiles(directory, sources);
-    for (SubjectSource& source : scalingSubjects())
+    for (SubjectSource& source : tessellations())
         sources.push_back(std::move(source));
-    sources.push_back(tessellationSource(Surface::Terrain, 64000, "64k"));
-    sources.push_back(tessellationSource(Surface::Terrain, 1000000, "1M"));
+    return sources;
+}
+
+SubjectSource sourceFrom(const std::string& origin)
+{
+    if (fs::is_regular_file(origin))
+        return fileSource(fs::path(origin).stem().string(), origin);
+    for (SubjectSource& source : tessellations())
+        if (source.origin == origin)
+            return std::move(source);
+    throw std::runtime_error(origin + ": no such mesh");
+}
+
+std::vector<SubjectSource> chosenSubjects(const std::vector<std::string>& wishes)
+{
+    if (wishes.empty())
+        return allSubjects({});
+    std::vector<SubjectSource> sources;
+    for (const std::string& wish : wishes)
+        addWish(wish, sources);
     return sources;
 }
 

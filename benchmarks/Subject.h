@@ -51,6 +51,8 @@ MeshView levelView(const MeshView& original, const LevelIndices& level);
 /// A subject by name, not loaded yet.
 struct SubjectSource {
     std::string name;
+    std::string origin;  ///< the file, or the name of a tessellation: unlike the name, no two sources have one
+    double weight = 0.0; ///< about how many bytes it has, by which the time for it can be guessed
     std::function<std::unique_ptr<Subject>()> load; ///< throws std::runtime_error or Ogre::Exception
 };
 
@@ -60,5 +62,13 @@ std::vector<SubjectSource> scalingSubjects();
 /// Everything that is measured: the .mesh files under the media directories, then tessellations up to 1M triangles.
 /// @param furtherMedia  besides the project's own media and LODSMITH_EXTRA_MEDIA; directories are searched in depth
 std::vector<SubjectSource> allSubjects(const std::vector<std::string>& furtherMedia);
+
+/// The source of an origin. Throws std::runtime_error where there is none.
+SubjectSource sourceFrom(const std::string& origin);
+
+/// What a user asks for: everything when `wishes` is empty, else in the order of the wishes the .mesh files of a directory
+/// (searched in depth), a file, or those of allSubjects({}) whose name matches a pattern with * and ?. Throws
+/// std::runtime_error for a wish that nothing answers to.
+std::vector<SubjectSource> chosenSubjects(const std::vector<std::string>& wishes);
 
 } // namespace lodsmith::benchmarks

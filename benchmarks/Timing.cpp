@@ -4,32 +4,29 @@
 #include <cmath>
 #include <limits>
 
+#include <time.h>
+
 namespace lodsmith::benchmarks {
 
 namespace {
 
 constexpr int kMostRounds = 101;
 
-double run(Peer& peer, Subject& subject)
-{
-    const double seconds = peer.generate(subject, halvings());
-    peer.reset(subject);
-    return seconds;
-}
-
 } // namespace
 
-Timings timeInTurn(Subject& subject, const std::vector<Peer*>& peers, const TimingOptions& options)
+void repeatInTurn(std::size_t works, const TimingOptions& options, const std::function<double(std::size_t)>& run)
 {
-    Timings timings;
     double measured = 0.0;
     for (int round = 0; round < options.rounds || (measured < options.leastSeconds && round < kMostRounds); ++round)
-        for (Peer* peer : peers) {
-            const double seconds = run(*peer, subject);
-            timings[peer->name()].push_back(seconds);
-            measured += seconds;
-        }
-    return timings;
+        for (std::size_t work = 0; work < works; ++work)
+            measured += run(work);
+}
+
+double processorSeconds()
+{
+    timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 
 double median(std::vector<double> values)
@@ -47,20 +44,6 @@ double geometricMean(const std::vector<double>& values)
     for (const double value : values)
         sum += std::log(value);
     return std::exp(sum / double(values.size()));
-}
-
-double fittedExponent(const std::vector<double>& x, const std::vector<double>& y)
-{
-    double sumX = 0.0, sumY = 0.0, sumXX = 0.0, sumXY = 0.0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        const double logX = std::log(x[i]), logY = std::log(y[i]);
-        sumX += logX;
-        sumY += logY;
-        sumXX += logX * logX;
-        sumXY += logX * logY;
-    }
-    const double n = double(x.size());
-    return (n * sumXY - sumX * sumY) / (n * sumXX - sumX * sumX);
 }
 
 } // namespace lodsmith::benchmarks

@@ -76,7 +76,7 @@ void addRatios(CurvePoint& point, const Subject& subject, double radius, const s
                const std::vector<MeasuredLevel>& ogre)
 {
     for (std::size_t level = 0; level < ours.size(); ++level) {
-        if (!reached(ours[level]) || !ogre[level].deviation)
+        if (!reached(ours[level], ogre[level].triangles) || !ogre[level].deviation)
             continue;
         const Deviation& mine = *ours[level].deviation;
         const Deviation& theirs = *ogre[level].deviation;
@@ -100,11 +100,11 @@ void measureSubject(const Arguments& arguments, Peer& ogre, Subject& subject, st
     std::vector<std::uint32_t> counts;
     for (const PeerLevel& level : ogreLevels)
         counts.push_back(triangleCount(level.indices));
-    const auto theirs = measureLevels(subject, ogreLevels, counts, arguments.deviation);
+    const auto theirs = measureLevels(subject, ogreLevels, arguments.deviation);
     for (CurvePoint& point : curve) {
         const auto levels = chainAt(subject, counts, point.weights);
-        addRatios(point, subject, statistics.value().radius,
-                  measureLevels(subject, levels, counts, arguments.deviation), theirs);
+        addRatios(point, subject, statistics.value().radius, measureLevels(subject, levels, arguments.deviation),
+                  theirs);
     }
 }
 

@@ -1,4 +1,4 @@
-// The work of lodsmith_peers under Google Benchmark: every peer on every mesh, and growth from 1k to 1M triangles.
+// The chain of halvings under Google Benchmark: every peer on every mesh, and growth from 1k to 1M triangles.
 
 #include "OgreSession.h"
 #include "Peer.h"
