@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::uint64_t kMemoryFloor = std::uint64_t(4) << 30;
 constexpr std::uint64_t kMemoryPerInputByte = 64;
+constexpr std::uint64_t kNeedFloor = std::uint64_t(64) << 20;
+constexpr std::uint64_t kNeedPerInputByte = 16;
 constexpr int kPollMilliseconds = 100;
 
 volatile std::sig_atomic_t caughtSignal = 0;
@@ -93,16 +95,43 @@ void BatchRunner::run(const std::vector<BatchJob>& jobs, const BatchSink& sink)
     mProgress.clear();
 }
 
+std::uint64_t BatchRunner::memoryNeed(std::uint64_t inputBytes)
+{
+    return kNeedFloor + kNeedPerInputByte * inputBytes;
+}
+
+bool BatchRunner::hasRoom(std::uint64_t memoryNeed) const
+{
+    if (mRunning.empty() || mOptions.memoryBytes == 0)
+        return true;
+    for (const Running& running : mRunning)
+        memoryNeed += running.memoryNeed;
+    return memoryNeed <= mOptions.memoryBytes;
+}
+
 void BatchRunner::startMore(const std::vector<BatchJob>& jobs)
 {
     for (; mNextToStart < jobs.size() && mRunning.size() < mOptions.workers; ++mNextToStart) {
         const BatchJob& job = jobs[mNextToStart];
-        auto child = ChildProcess::start(job.work, limitsFor(job, mOptions));
-        if (child)
-            mRunning.push_back({mNextToStart, std::move(child).value()});
-        else
-            mOutcomes[mNextToStart].emplace(withFile(child.error(), job.file));
+        if (!hasRoom(memoryNeed(job.inputBytes)) || caughtSignal != 0)
+            return;
+        std::optional<Json> known = job.known ? job.known() : std::nullopt;
+        if (!known) {
+            start(mNextToStart, job);
+            continue;
+        }
+        mProgress.passed();
+        mOutcomes[mNextToStart].emplace(std::move(*known));
     }
+}
+
+void BatchRunner::start(std::size_t number, const BatchJob& job)
+{
+    auto child = ChildProcess::start(job.work, limitsFor(job, mOptions));
+    if (child)
+        mRunning.push_back({number, memoryNeed(job.inputBytes), std::move(child).value()});
+    else
+        mOutcomes[number].emplace(withFile(child.error(), job.file));
 }
 
 void BatchRunner::waitForNews() const

@@ -26,8 +26,9 @@ struct ChildLimits {
 
 /// One piece of work in a process of its own, made by fork().
 ///
-/// The process that starts it has to be single-threaded and must not have started OGRE. The child's standard output
-/// leads nowhere; what it writes to standard error is kept and quoted when it dies. It dies with its parent.
+/// The process that starts it has to be single-threaded; what it has made so far, such as OGRE's root, the child finds made.
+/// The child's standard output leads nowhere; what it writes to standard error is kept and quoted when it dies. It ends
+/// without destructors, and dies with its parent.
 class ChildProcess {
 public:
     /// Error: Io when the system has no process or pipe left.

@@ -14,13 +14,6 @@ namespace lodsmith::cli {
 
 namespace {
 
-fs::path identity(const fs::path& path)
-{
-    std::error_code code;
-    const fs::path canonical = fs::weakly_canonical(path, code);
-    return code ? path : canonical;
-}
-
 /// The hand-made levels of one mesh that are there; whatever is wrong is told when the mesh's turn comes.
 std::set<fs::path> handMadeLevels(const fs::path& mesh, const fs::path& definition)
 {

@@ -1,10 +1,16 @@
 #include "../loddef/LoddefWords.h"
+#include "BuildRecord.h"
 #include "Commands.h"
 #include "Generation.h"
 #include "GenerationReport.h"
+#include "MachineLimits.h"
+#include "MeshBuild.h"
 #include "Numbers.h"
+#include "OutputDirectories.h"
 #include "SeparateFoliage.h"
+#include "Shard.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <set>
@@ -31,14 +37,16 @@ Examples:
       as tree.loddef says; without one automatic levels (four, by pixel count)
   lodsmith generate tree.mesh -o out/ --levels 20:proportional:0.5,60:proportional:0.75
       half of the vertices from distance 20 on, a quarter from 60
-  lodsmith generate models -o out -j 4 --json > report.jsonl
-      every .mesh below models/, four at a time, one JSON object a mesh
+  lodsmith generate models -o out --json > report.jsonl
+      every .mesh below models/, one JSON object a mesh
   lodsmith generate house.mesh -o out/ --levels 50:deviation:0.02,400:mesh:box.mesh
       as few triangles as 0.02 units of deviation allow, then a hand-made box
   lodsmith generate models -o out --loddef far.loddef
       all of them as far.loddef says
-  lodsmith generate models -o out --force --cache ~/.cache/lodsmith
-      once more: only what has changed since is simplified
+  lodsmith generate models -o out
+      once more, or after an interruption: makes what is missing or has changed, and nothing else
+  lodsmith generate models -o out --shard 3/8
+      the third of eight parts of the work, for as many machines
 )";
 
 constexpr double kLargestWeight = 1e6;
@@ -53,6 +61,10 @@ struct GenerateArguments {
     bool noLoddef = false;
     GenerateSettings settings;
     BatchOptions batch;
+    unsigned jobs = 0;      ///< meshes at a time; 0 for as many as fit the machine
+    unsigned memoryMib = 0; ///< for all of them; 0 for what is free
+    Shard shard;
+    BuildRules rules;
     bool weighted = false; ///< one of the weights was given
     bool json = false;
 };
@@ -173,30 +185,46 @@ void resolveLevels(GenerateArguments& arguments)
 
 std::vector<PlannedFile> planFiles(const GenerateArguments& arguments)
 {
-    Result<std::vector<PlannedFile>> plan = planOutputs(arguments.inputs, arguments.output);
-    if (!plan)
-        throw UsageError(plan.error().message);
-    checkManualLevels(arguments.settings.levels, plan.value());
+    Result<std::vector<PlannedFile>> planned = planOutputs(arguments.inputs, arguments.output);
+    if (!planned)
+        throw UsageError(planned.error().message);
+    checkManualLevels(arguments.settings.levels, planned.value());
     if (arguments.settings.separateMeshes)
-        checkSeparateNames(plan.value());
-    return withoutHandMade(std::move(plan).value(), arguments.settings.definition);
+        checkSeparateNames(planned.value());
+    std::vector<PlannedFile> plan = withoutHandMade(std::move(planned).value(), arguments.settings.definition);
+    const auto isElsewhere = [&](const PlannedFile& file) { return !arguments.shard.contains(file.name); };
+    plan.erase(std::remove_if(plan.begin(), plan.end(), isElsewhere), plan.end());
+    return plan;
 }
 
-BatchJob makeJob(const PlannedFile& file, const GenerateSettings& settings)
+/// What was given on the command line and decides what comes out; whatever is not known to change nothing counts.
+Json decidingOptions(const CLI::App& command)
 {
+    const std::set<std::string> indifferent{"IN",     "--output",     "--force",  "--cache", "--repeat",
+                                            "--jobs", "--time-limit", "--memory", "--shard", "--json"};
+    Json given = Json::object();
+    for (const CLI::Option* option : command.get_options())
+        if (option->count() > 0 && indifferent.count(option->get_name()) == 0)
+            given[option->get_name()] = option->results().back();
+    return given;
+}
+
+BatchJob makeJob(const PlannedFile& file, const GenerateArguments& arguments, OgreSession& session)
+{
+    const GenerateSettings& settings = arguments.settings;
     BatchJob job;
     job.file = file.input.string();
     job.inputBytes = fileBytes(file.input);
-    job.outputDirectories = {file.output.has_parent_path() ? file.output.parent_path() : fs::path(".")};
+    job.outputDirectories = {directoryOf(file.output), directoryOf(recordFile(file.output))};
     if (!settings.cache.empty())
         job.outputDirectories.push_back(settings.cache);
-    job.work = [&file, &settings](Progress& progress) -> Result<Json> {
+    // Times are wanted.
+    if (settings.repeat == 1)
+        job.known = [&file, &arguments] { return upToDate(file, arguments.rules); };
+    job.work = [&file, &arguments, &session](Progress& progress) -> Result<Json> {
         if (file.error)
             return *file.error;
-        // Before the work rather than after it; writing looks again.
-        if (auto allowed = checkOutput(file.output, settings.write.overwriting.existing); !allowed)
-            return allowed.error();
-        return generateFile(settings, file, progress);
+        return buildMesh(arguments.settings, arguments.rules, file, session, progress);
     };
     return job;
 }
@@ -211,28 +239,72 @@ Json completeRecord(const PlannedFile& file, const Result<Json>& outcome)
     return record;
 }
 
-int runGenerate(GenerateArguments& arguments)
+void resolveLimits(GenerateArguments& arguments)
+{
+    constexpr std::uint64_t kMib = std::uint64_t(1) << 20;
+    const bool measures = arguments.settings.repeat > 1;
+    arguments.batch.workers = arguments.jobs > 0 ? arguments.jobs : measures ? 1 : usableProcessors();
+    arguments.batch.memoryBytes = arguments.memoryMib > 0 ? kMib * arguments.memoryMib : availableMemory() / 4 * 3;
+}
+
+void resolve(GenerateArguments& arguments, const CLI::App& command)
 {
     resolveDefinition(arguments);
     checkWeights(arguments);
     if (!holdsLevels(arguments.settings.write.format.version))
         throw UsageError("--mesh-version: OGRE writes no levels of detail in mesh formats 1.0 and 1.4");
     resolveLevels(arguments);
+    resolveLimits(arguments);
+    arguments.rules = {decidingOptions(command), arguments.settings.write.overwriting.existing == Existing::Replace};
+}
+
+/// How many meshes of a run came to what.
+struct Tally {
+    std::size_t made = 0, upToDate = 0, failed = 0;
+
+    void add(const Json& record)
+    {
+        ++(!record["error"].is_null() ? failed : record["up_to_date"].get<bool>() ? upToDate : made);
+    }
+    std::string text() const
+    {
+        return std::to_string(made) + " made, " + std::to_string(upToDate) + " up to date, " + std::to_string(failed)
+               + " failed";
+    }
+};
+
+int runGenerate(GenerateArguments& arguments, const CLI::App& command)
+{
+    resolve(arguments, command);
     const std::vector<PlannedFile> plan = planFiles(arguments);
     // Fewer files than may be worked on at a time: each gets its share of the processors.
     arguments.settings.threads =
         std::max(1u, arguments.batch.workers / std::max(1u, static_cast<unsigned>(plan.size())));
+    const std::set<fs::path> directories = outputDirectories(plan);
+    for (const fs::path& directory : directories)
+        AtomicFile::removeAbandoned(directory);
+    // Once for all children, which begin where it has come to.
+    OgreSession session;
     std::vector<BatchJob> jobs;
     jobs.reserve(plan.size());
     for (const PlannedFile& file : plan)
-        jobs.push_back(makeJob(file, arguments.settings));
-    return runBatch(jobs, arguments.batch, [&](std::size_t job, const Result<Json>& outcome) {
+        jobs.push_back(makeJob(file, arguments, session));
+    Tally tally;
+    int exitCode = runBatch(jobs, arguments.batch, [&](std::size_t job, const Result<Json>& outcome) {
         const Json record = completeRecord(plan[job], outcome);
+        tally.add(record);
         if (arguments.json)
             std::printf("%s\n", toLine(record).c_str());
         else if (outcome)
             std::printf("%s\n", generationReport(record, arguments.settings.repeat).c_str());
     });
+    if (const Result<Done> synced = tally.made > 0 ? syncFileSystems(directories) : Done{}; !synced) {
+        printError(synced.error());
+        exitCode = kExitFailed;
+    }
+    if (plan.size() > 1)
+        std::fprintf(stderr, "%s\n", tally.text().c_str());
+    return exitCode;
 }
 
 void addSimplifierOptions(CLI::App& command, GenerateArguments& arguments)
@@ -301,9 +373,22 @@ void addRunOptions(CLI::App& command, GenerateArguments& arguments)
     addCountOption(command, "--repeat", arguments.settings.repeat, 1, 100000,
                    "Generate N times, for the times reported [1]")
         ->type_name("N");
-    addCountOption(command, "-j,--jobs", arguments.batch.workers, 1, 1024,
-                   "Work on N files at a time, on few large ones with as many threads [1]")
+    addCountOption(command, "-j,--jobs", arguments.jobs, 1, 1024,
+                   "Work on N files at a time, on few large ones with as many threads [as many as there are processors; "
+                   "with --repeat 1]")
         ->type_name("N");
+    addCountOption(command, "--memory", arguments.memoryMib, 1, 1U << 30,
+                   "Memory for all of them, by estimate [three quarters of what is free]")
+        ->type_name("MIB");
+    addParsedOption(command, "--shard", "Do part I of N of the files, from 1; every file is in one of the N",
+                    [&arguments](const std::string& text) -> Result<Done> {
+                        const Result<Shard> shard = parseShard(text);
+                        if (!shard)
+                            return shard.error();
+                        arguments.shard = shard.value();
+                        return Done{};
+                    })
+        ->type_name("I/N");
     addParsedOption(command, "--cache",
                     "Keep levels in this directory, up to 1 GiB, and take from it what was made before",
                     [&arguments](const std::string& directory) -> Result<Done> {
@@ -336,7 +421,7 @@ void addGenerateCommand(CLI::App& app, int& exitCode)
     addSimplifierOptions(*command, *arguments);
     addRunOptions(*command, *arguments);
     command->footer(kExamples);
-    command->callback([arguments, &exitCode] { exitCode = runGenerate(*arguments); });
+    command->callback([arguments, command, &exitCode] { exitCode = runGenerate(*arguments, *command); });
 }
 
 } // namespace lodsmith::cli

@@ -6,6 +6,7 @@
 #include "SeparateFoliage.h"
 
 #include <lodsmith/cache/LodCache.h>
+#include <lodsmith/loddef/LoddefFileName.h>
 #include <lodsmith/ogre/MeshWriter.h>
 #include <lodsmith/ogre/ProgressiveMeshGenerator.h>
 
@@ -14,6 +15,9 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <utility>
+
+namespace fs = std::filesystem;
 
 namespace lodsmith::cli {
 
@@ -181,25 +185,46 @@ Json recordOf(const MeshPlan& plan, const LodReport& report, const FoliageReport
     return record;
 }
 
-Result<Done> writeResult(const GenerateSettings& settings, const PlannedFile& file, const MeshPlan& plan,
-                         const FoliageReport& foliage, std::vector<std::string>& notes)
+std::vector<Companion> companionsOf(const MeshPlan& plan, const FoliageReport& foliage, const PlannedFile& file,
+                                    std::vector<std::string>& notes)
 {
-    const Ogre::Mesh& mesh = *plan.config.mesh;
-    std::vector<Companion> companions = findSkeleton(mesh, file.input, notes);
+    std::vector<Companion> companions = findSkeleton(*plan.config.mesh, file.input, notes);
     for (const auto& [name, level] : plan.handMade)
         companions.push_back({level.file, name, std::nullopt});
     companions.insert(companions.end(), foliage.files.begin(), foliage.files.end());
-    const Result<std::string> bytes = meshBytes(mesh, settings.write.format);
-    if (!bytes)
-        return bytes.error();
-    return writeMeshFiles(file.output, bytes.value(), companions, settings.write.overwriting);
+    return companions;
+}
+
+/// What decides where levels come from, and was not read through OGRE.
+FileHashes definitionFiles(const DefinitionChoice& choice, const fs::path& input)
+{
+    const fs::path definition = choice.given.empty() ? loddefFileName(input.string()) : choice.given;
+    if (definition.empty() || (choice.given.empty() && (!choice.beside || choice.waits)))
+        return {};
+    return {{definition, fileHash(definition)}};
+}
+
+/// What is looked for and may be missing: the skeleton, and beside the mesh what is taken from beside the definition.
+void addSought(FileHashes& read, const MeshPlan& plan, const fs::path& input)
+{
+    const auto add = [&](const fs::path& name) {
+        const fs::path path = input.parent_path() / name;
+        read.emplace(path, fileHash(path));
+    };
+    if (const Ogre::Mesh& mesh = *plan.config.mesh; mesh.hasSkeleton())
+        add(mesh.getSkeletonName());
+    if (!plan.loddef.empty())
+        for (const auto& [name, level] : plan.handMade)
+            add(level.file.lexically_relative(fs::path(plan.loddef).parent_path()));
 }
 
 } // namespace
 
-Result<Json> generateFile(const GenerateSettings& settings, const PlannedFile& file, Progress& progress)
+Result<GeneratedMesh> generateMesh(const GenerateSettings& settings, const PlannedFile& file, OgreSession& session,
+                                   Progress& progress)
 {
-    OgreSession session;
+    // Hashed before they are read: what changes from now on is found changed.
+    FileHashes read = definitionFiles(settings.definition, file.input);
     const Stopwatch reading;
     const Result<Ogre::MeshPtr> mesh = session.load(file.input);
     const double readMs = reading.milliseconds();
@@ -225,15 +250,16 @@ Result<Json> generateFile(const GenerateSettings& settings, const PlannedFile& f
     notes.insert(notes.end(), foliage.value().notes.begin(), foliage.value().notes.end());
     if (const std::optional<Error>& trouble = report.value().notStored)
         notes.push_back("the levels could not be kept in the cache: " + describe(*trouble));
-    const Stopwatch writing;
-    const Result<Done> written = writeResult(settings, file, plan.value(), foliage.value(), notes);
-    if (!written)
-        return written.error();
+    std::vector<Companion> companions = companionsOf(plan.value(), foliage.value(), file, notes);
+    Result<std::string> bytes = meshBytes(*mesh.value(), settings.write.format);
+    if (!bytes)
+        return bytes.error();
     Json record = recordOf(plan.value(), report.value(), foliage.value(), timings);
     record["read_ms"] = readMs;
     record["foliage_ms"] = foliageMs;
-    record["write_ms"] = writing.milliseconds();
-    return record;
+    read.insert(session.filesRead().begin(), session.filesRead().end());
+    addSought(read, plan.value(), file.input);
+    return GeneratedMesh{std::move(bytes).value(), std::move(companions), std::move(record), std::move(read)};
 }
 
 Json failedRecord(const PlannedFile& file, const Error& error)
@@ -244,7 +270,8 @@ Json failedRecord(const PlannedFile& file, const Error& error)
         record[member] = nullptr;
     record["levels"] = Json::array();
     for (const char* member :
-         {"cached", "read_ms", "generate_ms", "generate_min_ms", "order_ms", "foliage_ms", "write_ms", "peak_kb"})
+         {"up_to_date", "cached", "read_ms", "generate_ms", "generate_min_ms", "order_ms", "foliage_ms", "write_ms",
+          "peak_kb"})
         record[member] = nullptr;
     setError(record, error);
     return record;

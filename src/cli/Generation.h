@@ -4,6 +4,8 @@
 #include "DefinitionFiles.h"
 #include "JsonRecord.h"
 #include "LevelSpec.h"
+#include "MeshFile.h"
+#include "OgreSession.h"
 #include "OutputPlan.h"
 
 #include <lodsmith/core/Progress.h>
@@ -35,9 +37,17 @@ struct GenerateSettings {
     WriteOptions write;
 };
 
-/// Loads a mesh, gives it levels, writes it, and says how that went; see docs/cli.md for the members of the record.
-/// Starts OGRE: to be called in a child process. Errors: those of loading, generating and writing.
-Result<Json> generateFile(const GenerateSettings& settings, const PlannedFile& file, Progress& progress);
+/// A mesh with its levels, not yet written.
+struct GeneratedMesh {
+    std::string bytes;                 ///< of the `.mesh` file
+    std::vector<Companion> companions; ///< what goes along
+    Json record;                       ///< how it went; see docs/cli.md
+    FileHashes read;                   ///< everything that it was made of
+};
+
+/// Loads a mesh and gives it levels. Errors: those of loading and generating.
+Result<GeneratedMesh> generateMesh(const GenerateSettings& settings, const PlannedFile& file, OgreSession& session,
+                                   Progress& progress);
 
 /// The record of a mesh that failed: the same members, without values.
 Json failedRecord(const PlannedFile& file, const Error& error);

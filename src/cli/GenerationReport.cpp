@@ -102,7 +102,10 @@ std::string cleaned(const Json& record)
 std::string generationReport(const Json& record, unsigned repeat)
 {
     std::string text =
-        printable(record["input"].get<std::string>()) + " -> " + printable(record["output"].get<std::string>()) + "\n";
+        printable(record["input"].get<std::string>()) + " -> " + printable(record["output"].get<std::string>());
+    if (record["up_to_date"].get<bool>())
+        return text + ": up to date";
+    text += "\n";
     if (!record["loddef"].is_null())
         text += "levels as " + printable(record["loddef"].get<std::string>()) + " says\n";
     text += levelTable(record) + times(record, repeat);

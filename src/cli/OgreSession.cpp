@@ -64,9 +64,16 @@ Result<Ogre::MeshPtr> OgreSession::loadLevelOf(const Ogre::Mesh& owner, const fs
     return loadAs(path, name, owner.getGroup());
 }
 
-Result<Ogre::MeshPtr> OgreSession::loadAs(const fs::path& path, const std::string& name, const std::string& group)
+Result<std::string> OgreSession::readNoted(const fs::path& path)
 {
     Result<std::string> bytes = readFile(path);
+    mFilesRead.emplace(path, bytes ? std::optional(contentHash(bytes.value())) : std::nullopt);
+    return bytes;
+}
+
+Result<Ogre::MeshPtr> OgreSession::loadAs(const fs::path& path, const std::string& name, const std::string& group)
+{
+    Result<std::string> bytes = readNoted(path);
     if (!bytes)
         return bytes.error();
     if (const Result<MeshHeader> header = parseMeshHeader(bytes.value()); !header)
@@ -123,7 +130,7 @@ Ogre::DataStreamPtr OgreSession::resourceLoading(const Ogre::String& name, const
     const auto directory = mDirectoryOfGroup.find(group);
     if (directory == mDirectoryOfGroup.end() || !staysInside(name))
         return nullptr;
-    const Result<std::string> bytes = readFile(directory->second / name);
+    const Result<std::string> bytes = readNoted(directory->second / name);
     if (!bytes)
         return nullptr;
     return std::make_shared<CheckedStream>(name, bytes.value());

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ContentHash.h"
+
 #include <lodsmith/core/Result.h>
 
 #include <OgreLog.h>
@@ -45,6 +47,9 @@ public:
     Result<Ogre::MeshPtr> loadLevelOf(const Ogre::Mesh& owner, const std::filesystem::path& path,
                                       const std::string& name);
 
+    /// What has been read so far, and what was looked for and not there.
+    const FileHashes& filesRead() const { return mFilesRead; }
+
     /// A new, empty mesh.
     Ogre::MeshPtr create(const Ogre::String& name);
 
@@ -55,6 +60,7 @@ public:
     static bool staysInside(const std::string& name);
 
 private:
+    Result<std::string> readNoted(const std::filesystem::path& path);
     Result<Ogre::MeshPtr> loadAs(const std::filesystem::path& path, const std::string& name, const std::string& group);
     void loadResource(Ogre::Resource* mesh) override;
     Ogre::DataStreamPtr resourceLoading(const Ogre::String& name, const Ogre::String& group, Ogre::Resource*) override;
@@ -66,6 +72,7 @@ private:
     std::unique_ptr<Ogre::Root> mRoot;
     std::unique_ptr<Ogre::DefaultHardwareBufferManager> mBufferManager;
     std::map<std::string, std::filesystem::path> mDirectoryOfGroup;
+    FileHashes mFilesRead;
     std::string mBytes; // content of the mesh file that is being loaded
 };
 

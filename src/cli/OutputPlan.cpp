@@ -10,14 +10,6 @@ namespace lodsmith::cli {
 
 namespace {
 
-/// One spelling for a path, so that "a/../b" and "b" are seen to be the same file even before it exists.
-fs::path identity(const fs::path& path)
-{
-    std::error_code code;
-    const fs::path canonical = fs::weakly_canonical(fs::absolute(path, code), code);
-    return code ? fs::absolute(path).lexically_normal() : canonical;
-}
-
 bool isMeshName(const fs::path& path)
 {
     std::string extension = path.extension().string();
@@ -30,7 +22,7 @@ PlannedFile failed(const fs::path& input, ErrorCode code, std::string message)
 {
     Error error{code, std::move(message)};
     error.file = input.string();
-    return {input, {}, std::move(error)};
+    return {input, {}, std::move(error), input.generic_string()};
 }
 
 /// `skipped` is an identity(), or nothing.
@@ -62,8 +54,10 @@ void planDirectory(const fs::path& directory, const std::optional<fs::path>& out
     else if (files.value().empty())
         plan.push_back(failed(directory, ErrorCode::NotFound, "the directory holds no .mesh file"));
     else
-        for (const fs::path& file : files.value())
-            plan.push_back({file, output ? *output / file.lexically_relative(directory) : fs::path(), std::nullopt});
+        for (const fs::path& file : files.value()) {
+            const fs::path name = file.lexically_relative(directory);
+            plan.push_back({file, output ? *output / name : fs::path(), std::nullopt, name.generic_string()});
+        }
 }
 
 Error invalid(std::string message)
@@ -95,6 +89,13 @@ Result<Done> checkCollisions(const std::vector<PlannedFile>& plan)
 
 } // namespace
 
+fs::path identity(const fs::path& path)
+{
+    std::error_code code;
+    const fs::path canonical = fs::weakly_canonical(fs::absolute(path, code), code);
+    return code ? fs::absolute(path, code).lexically_normal() : canonical;
+}
+
 Result<std::vector<PlannedFile>> planOutputs(const std::vector<std::string>& inputs, const std::string& output)
 {
     if (output.empty())
@@ -114,8 +115,8 @@ Result<std::vector<PlannedFile>> planOutputs(const std::vector<std::string>& inp
         else if (!fs::exists(input, ignored))
             plan.push_back(failed(input, ErrorCode::NotFound, "no such file"));
         else
-            plan.push_back(
-                {input, intoDirectory ? fs::path(output) / input.filename() : fs::path(output), std::nullopt});
+            plan.push_back({input, intoDirectory ? fs::path(output) / input.filename() : fs::path(output), std::nullopt,
+                            input.filename().string()});
     }
     if (auto distinct = checkCollisions(plan); !distinct)
         return distinct.error();

@@ -13,8 +13,12 @@ namespace lodsmith::cli {
 struct PlannedFile {
     std::filesystem::path input;
     std::filesystem::path output; ///< empty when `error` is set
-    std::optional<Error> error;   ///< why there is nothing to work on: no such file, an unreadable or empty directory
+    std::optional<Error> error{}; ///< why there is nothing to work on: no such file, an unreadable or empty directory
+    std::string name{}; ///< relative to the output directory, '/' between directories; with an error the input
 };
+
+/// One spelling for a path, so that "a/../b", "b" and a link to it are the same file, even before it exists.
+std::filesystem::path identity(const std::filesystem::path& path);
 
 /// Decides which files a command reads and which it writes, before it does either.
 ///

@@ -28,6 +28,8 @@ public:
     /// Draws the bar, not more often than people can see.
     void show(const std::string& file, double partly);
     void finished(const std::string& file, double seconds, bool ok);
+    /// A file that took no work.
+    void passed() { ++mState.done; }
     /// Takes the bar off the terminal, before something else is written.
     void clear();
 

@@ -18,14 +18,15 @@ _lodsmith() {
     --endian) options="native little big" ;;
     --loddef) files="*.loddef" ;;
     --cache | --materials) files="*/" ;;
-    --levels | --repeat | --jobs | -j | --time-limit | --samples | --size | --*-weight) return ;;
+    --levels | --repeat | --jobs | -j | --memory | --shard | --time-limit | --samples | --size | --*-weight) return ;;
     --constants | --metres | --viewport | --fov | --at | --optimise | --pixels) return ;;
     esac
     if [[ -z $options && $word == -* ]]; then
         case ${COMP_WORDS[1]} in
         generate)
             options="$write --levels --strategy --loddef --no-loddef --metric --normal-weight --uv-weight --colour-weight"
-            options+=" --bone-weight --lock-borders --lock-seams --share-buffers --separate-meshes --repeat --jobs --cache --json"
+            options+=" --bone-weight --lock-borders --lock-seams --share-buffers --separate-meshes --repeat --jobs --memory --shard"
+            options+=" --cache --json"
             ;;
         inspect) options="--json --time-limit --help" ;;
         measure) options="--against --samples --json --time-limit --help" ;;

@@ -1,6 +1,7 @@
 #include "AtomicFile.h"
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <utility>
 
@@ -15,6 +16,7 @@ namespace lodsmith {
 namespace {
 
 constexpr int kNameAttempts = 1000;
+constexpr std::chrono::hours kAbandonedAge{1};
 constexpr const char* kIsThere = "is there already";
 constexpr std::string_view kPrefix = ".lodsmith-";
 constexpr std::string_view kSuffix = ".tmp";
@@ -131,6 +133,19 @@ void AtomicFile::removeLeftovers(const fs::path& directory, pid_t writer)
     for (fs::directory_iterator entry(directory, code), end; !code && entry != end; entry.increment(code))
         if (entry->path().filename().string().compare(0, prefix.size(), prefix) == 0)
             fs::remove_all(entry->path(), ignored);
+}
+
+void AtomicFile::removeAbandoned(const fs::path& directory)
+{
+    std::error_code code;
+    for (fs::directory_iterator entry(directory, code), end; !code && entry != end; entry.increment(code)) {
+        std::error_code trouble;
+        if (!isTemporary(entry->path().filename().string()))
+            continue;
+        const fs::file_time_type written = fs::last_write_time(entry->path(), trouble);
+        if (!trouble && fs::file_time_type::clock::now() - written > kAbandonedAge)
+            ::unlink(entry->path().c_str());
+    }
 }
 
 bool AtomicFile::isTemporary(std::string_view fileName)

@@ -49,6 +49,9 @@ public:
     /// Removes the temporary files and directories that process `writer`, which has ended, left in a directory.
     static void removeLeftovers(const std::filesystem::path& directory, pid_t writer);
 
+    /// Removes the temporary files of a directory that are older than an hour, of whichever process: it was killed.
+    static void removeAbandoned(const std::filesystem::path& directory);
+
     /// Whether a file is a temporary one by its name, of whichever process.
     static bool isTemporary(std::string_view fileName);
 

@@ -19,7 +19,7 @@ using testing::IsEmpty;
 
 BatchJob job(const std::string& file, ChildWork work)
 {
-    return {file, 0, {}, std::move(work)};
+    return {file, 0, {}, std::move(work), {}};
 }
 
 /// Outcomes as text, in the order in which they came.
@@ -124,6 +124,70 @@ TEST(BatchRunner, standardOutputOfAChildLeadsNowhere)
         return Json();
     })});
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+}
+
+TEST(BatchRunner, whatIsKnownTakesNoChildAndItsPlaceInTheOrder)
+{
+    const auto fails = [](Progress&) -> Result<Json> { ::_exit(1); };
+    BatchJob known = job("b", fails);
+    known.known = [] { return std::optional<Json>("known"); };
+    BatchJob unknown = job("c", [](Progress&) { return sleepAndSay(0, "made"); });
+    unknown.known = [] { return std::optional<Json>(); };
+    EXPECT_THAT(run({job("a", [](Progress&) { return sleepAndSay(100, "slow"); }), known, unknown}, {3, 60.0}),
+                ElementsAre("\"slow\"", "\"known\"", "\"made\""));
+}
+
+TEST(BatchRunner, whatIsKnownIsAskedWhenItsTurnComes)
+{
+    const lodsmith::test::TestDirectory directory;
+    const BatchJob first = job("a", [&](Progress&) -> Result<Json> {
+        directory.write("made", "");
+        return Json();
+    });
+    BatchJob second = job("b", [](Progress&) { return sleepAndSay(0, "made"); });
+    second.known = [&] { return directory.files().empty() ? std::nullopt : std::optional<Json>("made by the first"); };
+    EXPECT_EQ(run({first, second}).back(), "\"made by the first\"");
+}
+
+namespace {
+
+/// How many of the jobs before it still ran when each began, with some memory for all.
+std::vector<std::string> neighboursOf(const std::vector<std::uint64_t>& inputs, std::uint64_t memory)
+{
+    const lodsmith::test::TestDirectory directory;
+    std::vector<BatchJob> jobs;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        jobs.push_back(job("x", [&directory, i](Progress&) -> Result<Json> {
+            const std::string name = std::to_string(i);
+            const Json neighbours(directory.files().size());
+            directory.write(name, "");
+            ::usleep(400000);
+            std::filesystem::remove(directory / name);
+            return neighbours;
+        }));
+        jobs.back().inputBytes = inputs[i];
+    }
+    return run(jobs, {static_cast<unsigned>(inputs.size()), 60.0, memory});
+}
+
+} // namespace
+
+TEST(BatchRunner, whatDoesNotFitBesideTheOthersWaits)
+{
+    constexpr std::uint64_t kSmall = 1000, kLarge = 1000000000;
+    const std::uint64_t small = BatchRunner::memoryNeed(kSmall), large = BatchRunner::memoryNeed(kLarge);
+    EXPECT_THAT(neighboursOf({kLarge, kLarge}, large + small), ElementsAre("0", "0"));
+    EXPECT_THAT(neighboursOf({kLarge, kSmall, kLarge}, large + small), ElementsAre("0", testing::_, "0"))
+        << "nor does what comes behind overtake it";
+    EXPECT_THAT(neighboursOf({kLarge, kLarge}, 1), ElementsAre("0", "0")) << "what fits nowhere runs alone";
+}
+
+TEST(BatchRunner, whatFitsRunsAtATime)
+{
+    const std::uint64_t need = BatchRunner::memoryNeed(1000);
+    const auto neighbours = neighboursOf({1000, 1000, 1000}, 3 * need);
+    EXPECT_THAT(neighbours, testing::Contains("2"));
+    EXPECT_THAT(neighboursOf({1000, 1000, 1000}, 0), testing::Contains("2")) << "no bound";
 }
 
 TEST(BatchRunner, whatADeadChildLeftIsSwept)

@@ -161,16 +161,18 @@ TEST_F(GenerateCommandTest, theSkeletonGoesAlong)
 
 TEST_F(GenerateCommandTest, differentSkeletonsOfOneNameAreRefusedEvenWithForce)
 {
-    std::vector<std::string> arguments{"generate", "-o", in("out/"), "--levels", kHalves, "--force"};
+    std::vector<std::string> arguments{"generate", "-o", in("out/"), "--levels", kHalves, "--force", "-j", "1"};
     for (const std::string name : {"a", "b"}) {
         arguments.push_back(mDirectory.write(name + "/" + name + ".mesh", torusMesh(kSegments, "x.skeleton")));
         mDirectory.write(name + "/x.skeleton", "bones of " + name);
     }
     const Outcome outcome = runLodsmith(arguments);
     EXPECT_EQ(outcome.exitCode, 1);
-    EXPECT_THAT(outcome.err, HasSubstr("another mesh of this run"));
+    EXPECT_THAT(outcome.err,
+                HasSubstr("both '" + in("b/x.skeleton") + "' and '" + in("a/x.skeleton") + "' would be this file"));
     EXPECT_THAT(mDirectory.files(),
-                ElementsAre("a/a.mesh", "a/x.skeleton", "b/b.mesh", "b/x.skeleton", "out/a.mesh", "out/x.skeleton"));
+                ElementsAre("a/a.mesh", "a/x.skeleton", "b/b.mesh", "b/x.skeleton", "out/.lodsmith/a.mesh.json",
+                            "out/.lodsmith/x.skeleton.json", "out/a.mesh", "out/x.skeleton"));
 }
 
 TEST_F(GenerateCommandTest, aSkeletonThatIsMissingIsNoted)
@@ -187,7 +189,8 @@ TEST_F(GenerateCommandTest, namesFromInsideNeverLeadOutside)
     const std::string mesh = mDirectory.write("in/deep/a.mesh", torusMesh(kSegments, "../../evil.skeleton"));
     const Outcome outcome = runLodsmith({"generate", mesh, "-o", in("out/deep/er/"), "--levels", kHalves});
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
-    EXPECT_THAT(mDirectory.files(), ElementsAre("evil.skeleton", "in/deep/a.mesh", "out/deep/er/a.mesh"));
+    EXPECT_THAT(mDirectory.files(), ElementsAre("evil.skeleton", "in/deep/a.mesh", "out/deep/er/.lodsmith/a.mesh.json",
+                                                "out/deep/er/a.mesh"));
 }
 
 TEST_F(GenerateCommandTest, handMadeLevelsGoAlongUnderTheirOwnName)

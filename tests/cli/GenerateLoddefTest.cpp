@@ -132,7 +132,8 @@ TEST_F(GenerateLoddefTest, aBrokenOneIsAnErrorOfItsMeshAlone)
     EXPECT_THAT(outcome.records()[0]["error"].get<std::string>(), HasSubstr(file + ":2: "));
     EXPECT_TRUE(outcome.records()[0]["loddef"].is_null());
     EXPECT_TRUE(outcome.records()[1]["error"].is_null());
-    EXPECT_THAT(mDirectory.files(), ElementsAre("in/a.loddef", "in/a.mesh", "in/b.mesh", "out/b.mesh"));
+    EXPECT_THAT(mDirectory.files(),
+                ElementsAre("in/a.loddef", "in/a.mesh", "in/b.mesh", "out/.lodsmith/b.mesh.json", "out/b.mesh"));
 }
 
 TEST_F(GenerateLoddefTest, oneForAll)

@@ -160,6 +160,18 @@ TEST(AtomicFile, leftoversOfTheDeadAreRemovedAndNoOthers)
     EXPECT_THAT(directory.files(), ElementsAre(".lodsmith-47110-0.tmp", "mine"));
 }
 
+TEST(AtomicFile, onlyOldTemporaryFilesAreAbandoned)
+{
+    const TestDirectory directory;
+    const auto now = fs::file_time_type::clock::now();
+    for (const char* name : {".lodsmith-1-0.tmp", ".lodsmith-2-0.tmp", "old", ".lodsmith"})
+        fs::last_write_time(directory.write(name, ""), now - std::chrono::hours(2));
+    fs::last_write_time(directory / ".lodsmith-2-0.tmp", now - std::chrono::minutes(50));
+    AtomicFile::removeAbandoned(directory.path());
+    EXPECT_THAT(directory.files(), ElementsAre(".lodsmith", ".lodsmith-2-0.tmp", "old"));
+    AtomicFile::removeAbandoned(directory / "nothing");
+}
+
 TEST(AtomicFile, isWrittenWholeWhetherItHasToOutliveAPowerCutOrNot)
 {
     const TestDirectory directory;

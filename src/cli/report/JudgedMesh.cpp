@@ -9,9 +9,8 @@ namespace lodsmith::cli {
 
 namespace {
 
-Result<std::size_t> levelsIn(const std::filesystem::path& file)
+Result<std::size_t> levelsIn(const std::filesystem::path& file, OgreSession& session)
 {
-    OgreSession session;
     const Result<Ogre::MeshPtr> mesh = session.load(file);
     if (!mesh)
         return mesh.error();
@@ -32,7 +31,8 @@ std::vector<std::optional<std::string>> stopsIn(const Json& levels)
 
 Result<JudgedMesh> judgedMesh(const PlannedFile& mesh, Progress& progress)
 {
-    const Result<std::size_t> levels = levelsIn(mesh.input);
+    OgreSession session;
+    const Result<std::size_t> levels = levelsIn(mesh.input, session);
     if (!levels)
         return levels.error();
     JudgedMesh judged;
@@ -46,15 +46,22 @@ Result<JudgedMesh> judgedMesh(const PlannedFile& mesh, Progress& progress)
         return directory.error();
     judged.directory = std::move(directory).value();
     judged.file = judged.directory->path() / mesh.input.filename();
-    const Result<Json> record = generateFile({}, {mesh.input, judged.file, std::nullopt}, progress);
-    if (!record)
-        return record.error();
-    const Json& loddef = record.value()["loddef"];
+    const GenerateSettings settings;
+    const Result<GeneratedMesh> made =
+        generateMesh(settings, {mesh.input, judged.file, std::nullopt, mesh.name}, session, progress);
+    if (!made)
+        return made.error();
+    const auto written =
+        writeMeshFiles(judged.file, made.value().bytes, made.value().companions, settings.write.overwriting);
+    if (!written)
+        return written.error();
+    const Json& record = made.value().record;
+    const Json& loddef = record["loddef"];
     judged.levelsFrom = loddef.is_null() ? "automatic" : "definition";
     if (!loddef.is_null())
         judged.definition = loddef.get<std::string>();
-    judged.stops = stopsIn(record.value()["levels"]);
-    judged.notes = record.value()["notes"].get<std::vector<std::string>>();
+    judged.stops = stopsIn(record["levels"]);
+    judged.notes = record["notes"].get<std::vector<std::string>>();
     return judged;
 }
 

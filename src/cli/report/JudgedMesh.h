@@ -27,7 +27,7 @@ struct JudgedMesh {
 };
 
 /// Starts OGRE for a while: to be called in a child process without an OgreSession. Errors: those of loading, and of
-/// generateFile(); TemporaryDirectory's.
+/// generateMesh(), writeMeshFiles(); TemporaryDirectory's.
 Result<JudgedMesh> judgedMesh(const PlannedFile& mesh, Progress& progress);
 
 } // namespace lodsmith::cli

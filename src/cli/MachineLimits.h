@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+namespace lodsmith::cli {
+
+/// Processors that this process may use, at least 1.
+unsigned usableProcessors();
+
+/// Bytes of memory that are free for programs, or that the control groups (version 2) of this process leave it, whichever is
+/// less; 0 when the system does not tell. `root` is where /proc and /sys are.
+std::uint64_t availableMemory(const std::filesystem::path& root = "/");
+
+} // namespace lodsmith::cli
