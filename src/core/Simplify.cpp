@@ -163,6 +163,8 @@ Result<LodChain> run(const MeshView& view, const std::vector<LevelTarget>& targe
         simplifier.forgetLimits();
         if (rounds)
             rounds->run(limits, simplifier);
+        if (isCancelled(progress)) // and the mesh is not ready for more
+            return cancelled;
         level.stop = simplifier.run(limits, [&] { return watch.report(mesh.liveVertices); });
         if (isCancelled(progress))
             return cancelled;

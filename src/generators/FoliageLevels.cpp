@@ -193,8 +193,11 @@ private:
     {
         mWood.push_back({mFoliage.wood, trianglesIn(mFoliage.wood)});
         std::vector<LevelTarget> targets;
-        for (double count = kWoodStep * mWood[0].triangles; count >= 1.0; count *= kWoodStep)
+        double count = kWoodStep * mWood[0].triangles;
+        while (count >= 1.0) {
             targets.push_back({LevelTarget::Kind::Triangles, count});
+            count *= kWoodStep;
+        }
         if (targets.empty())
             return Done{};
         Result<LodChain> chain = simplify(withIndices(mMesh, mFoliage.wood), targets, mOptions.simplify, mProgress);

@@ -12,10 +12,8 @@ std::atomic<long> allocationsLeft{-1};
 void* operator new(std::size_t size)
 {
     std::atomic<long>& left = lodsmith::test::allocationsLeft;
-    if (left.load() >= 0 && left.fetch_sub(1) <= 0) {
-        left = 0;
+    if (left.load() >= 0 && left.fetch_sub(1) == 0)
         throw std::bad_alloc();
-    }
     if (void* memory = std::malloc(size != 0 ? size : 1))
         return memory;
     throw std::bad_alloc();

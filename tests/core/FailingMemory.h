@@ -4,8 +4,8 @@
 
 namespace lodsmith::test {
 
-/// Allocations with operator new that still succeed, on all threads together; negative: no limit. A program that has
-/// FailingMemory.cpp in it allocates by this.
+/// Allocations with operator new until one fails, counted over all threads; negative: none does. It is below 0 again when one
+/// has failed. A program that has FailingMemory.cpp in it allocates by this.
 extern std::atomic<long> allocationsLeft;
 
 } // namespace lodsmith::test

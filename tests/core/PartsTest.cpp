@@ -99,13 +99,12 @@ TEST(Parts, MemoryThatRunsOutOnAnyThreadIsAnError)
     const std::string expected = outcomeOf(mesh, onThreads(2));
     const MeshView view = mesh.view();
     const SimplifyOptions options = onThreads(2);
-    bool succeeded = false;
-    for (long allocations = 0; !succeeded; allocations += 1 + allocations / 8) {
+    bool hasFailed = true;
+    for (long allocations = 0; hasFailed; allocations += 1 + allocations / 8) {
         allocationsLeft = allocations;
         const Result<LodChain> result = simplify(view, kDeterminismTargets, options);
-        allocationsLeft = -1;
-        succeeded = result.ok();
-        if (succeeded)
+        hasFailed = allocationsLeft.exchange(-1) < 0;
+        if (result.ok()) // it was a thread that could not be started, or none failed
             EXPECT_EQ(bytesOf(result.value()), expected);
         else
             EXPECT_EQ(result.error().code, ErrorCode::OutOfMemory) << allocations;

@@ -207,7 +207,7 @@ TEST_F(LevelRendererTest, AHandMadeLevelIsSeenAsItIs)
     const ImageDifference difference = compareImages(whole, lower);
     EXPECT_NEAR(difference.coverage, 0.5, 0.02);
     EXPECT_NEAR(difference.silhouette.share, 0.5, 0.02);
-    EXPECT_NEAR(difference.silhouette.distance, 84 / 2, 1);
+    EXPECT_NEAR(difference.silhouette.distance, 42, 1);
     EXPECT_EQ(extentOf(lower).bottom, extentOf(whole).bottom) << "rows go down from the top";
 }
 
