@@ -215,37 +215,44 @@ std::string picture(const Json& png, const std::string& style, const std::string
            + "\">";
 }
 
-std::string closeUps(const Json& record, const Json& pictures)
+std::string closeUp(std::size_t number, const Json& level, const Json& pictures)
+{
+    const std::string name = "Level " + std::to_string(number);
+    const std::string triangles = wholeNumber(numberOf(level["triangles"])) + " triangles";
+    return "<figure class=\"level\">" + picture(pictures["close"], "close", name + " close up, " + triangles)
+           + "<figcaption><strong>" + name + "</strong> " + triangles + "</figcaption></figure>\n";
+}
+
+std::string closeUps(const Json& levels, const Json& pictures)
 {
     std::string html = "<h2>Close up</h2>\n<div class=\"levels\">\n";
-    for (std::size_t i = 0; i < pictures.size(); ++i) {
-        const std::string name = "Level " + std::to_string(i);
-        const std::string triangles = wholeNumber(numberOf(record["levels"][i]["triangles"])) + " triangles";
-        html += "<figure class=\"level\">" + picture(pictures[i]["close"], "close", name + " close up, " + triangles)
-                + "<figcaption><strong>" + name + "</strong> " + triangles + "</figcaption></figure>\n";
-    }
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+        html += closeUp(i, levels[i], pictures[i]);
     return html + "</div>\n";
 }
 
-std::string switches(const Json& record, const Json& pictures)
+std::string levelSwitch(std::size_t number, const Json& level, const Json& pictures)
+{
+    const std::string before = "Level " + std::to_string(number - 1), after = "level " + std::to_string(number);
+    return "<figure class=\"level\"><div>"
+           + picture(pictures["before"], "switch", before + " where " + after + " appears")
+           + picture(pictures["after"], "switch", "Level " + std::to_string(number) + " where it appears")
+           + "</div><figcaption><strong>" + before + " → " + after + "</strong> at a distance of "
+           + shortNumber(numberOf(level["distance"])) + ", with a radius of "
+           + shortNumber(numberOf(level["screen_radius"])) + "\u202Fpx; off by up to "
+           + shortNumber(numberOf(level["visible_error"])) + "\u202Fpx</figcaption></figure>\n";
+}
+
+std::string switches(const Json& levels, const Json& pictures)
 {
     std::string html =
         "<h2>Where levels appear</h2>\n<p class=\"aside\">The level before and the new one, as large as they "
         "are on the screen at that moment: one pixel of these pictures is one of the screen, unless the page is "
         "too narrow.</p>\n<div class=\"switches\">\n";
-    for (std::size_t i = 1; i < pictures.size(); ++i) {
-        if (!pictures[i].contains("after"))
-            continue;
-        const Json& level = record["levels"][i];
-        const std::string before = "Level " + std::to_string(i - 1), after = "level " + std::to_string(i);
-        html += "<figure class=\"level\"><div>"
-                + picture(pictures[i]["before"], "switch", before + " where " + after + " appears")
-                + picture(pictures[i]["after"], "switch", "Level " + std::to_string(i) + " where it appears")
-                + "</div><figcaption><strong>" + before + " → " + after + "</strong> at a distance of "
-                + shortNumber(numberOf(level["distance"])) + ", with a radius of "
-                + shortNumber(numberOf(level["screen_radius"])) + "\u202Fpx; off by up to "
-                + shortNumber(numberOf(level["visible_error"])) + "\u202Fpx</figcaption></figure>\n";
-    }
+    // A level that never appears has no such pictures.
+    for (std::size_t i = 1; i < pictures.size(); ++i)
+        if (pictures[i].contains("after"))
+            html += levelSwitch(i, levels[i], pictures[i]);
     return html + "</div>\n";
 }
 
@@ -253,7 +260,7 @@ std::string pictureSection(const Json& record, const Json& pictures)
 {
     if (pictures.is_null())
         return "<h2>Pictures</h2>\n<p>There are none: " + escaped(record["no_pictures"].get<std::string>()) + "</p>\n";
-    return closeUps(record, pictures) + (pictures.size() > 1 ? switches(record, pictures) : "");
+    return closeUps(record["levels"], pictures) + (pictures.size() > 1 ? switches(record["levels"], pictures) : "");
 }
 
 std::string meshTable(const Json& record)

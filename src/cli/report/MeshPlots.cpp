@@ -27,6 +27,12 @@ PlotSeries curveSeries(const Json& record, double percent)
     return series;
 }
 
+std::string levelTitle(std::size_t number, double triangles, const std::string& figure, double deviation)
+{
+    return "Level " + std::to_string(number) + ", " + trianglesWords(triangles) + ": " + figure + " "
+           + shortNumber(deviation) + " %";
+}
+
 PlotSeries levelSeries(const Json& record, const std::string& figure, const std::string& name, int style,
                        double percent)
 {
@@ -35,9 +41,7 @@ PlotSeries levelSeries(const Json& record, const std::string& figure, const std:
         const Json& level = record["levels"][i];
         const double triangles = level["triangles"].get<double>();
         const double deviation = level["surface"][figure].get<double>() * percent;
-        series.points.push_back({triangles, deviation,
-                                 "Level " + std::to_string(i) + ", " + trianglesWords(triangles) + ": " + figure + " "
-                                     + shortNumber(deviation) + " %"});
+        series.points.push_back({triangles, deviation, levelTitle(i, triangles, figure, deviation)});
     }
     return series;
 }

@@ -37,7 +37,7 @@ std::string keyFigures(const std::vector<std::pair<std::string, std::string>>& f
 {
     std::string html;
     for (const auto& [name, value] : figures)
-        html += "<div><dt>" + name + "</dt><dd>" + value + "</dd></div>\n";
+        html.append("<div><dt>").append(name).append("</dt><dd>").append(value).append("</dd></div>\n");
     return element("dl", html, "key-figures");
 }
 

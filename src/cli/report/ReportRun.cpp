@@ -36,7 +36,7 @@ std::string pageName(const fs::path& path, std::set<std::string>& taken)
         plain.erase(0, plain.size() - kLongestName);
     std::string name = plain;
     for (int number = 2; !taken.insert(name).second; ++number)
-        name = plain + "-" + std::to_string(number);
+        name = std::string(plain).append("-").append(std::to_string(number));
     return "pages/" + name + ".html";
 }
 
