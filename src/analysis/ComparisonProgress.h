@@ -3,6 +3,7 @@
 #include <lodsmith/core/Progress.h>
 #include <lodsmith/core/Result.h>
 
+#include <algorithm>
 #include <cstdint>
 
 namespace lodsmith::analysis {
@@ -11,6 +12,7 @@ namespace lodsmith::analysis {
 class ComparisonProgress {
 public:
     /// @param progress may be null
+    /// @param steps as many as there will be, about
     ComparisonProgress(Progress* progress, std::uint64_t steps) : mProgress(progress), mSteps(steps) {}
 
     /// Counts one step; false once the job is cancelled, which is looked up every so many steps.
@@ -21,7 +23,7 @@ public:
         if (look && mProgress->cancelled())
             return false;
         if (look)
-            mProgress->report(static_cast<float>(mDone) / static_cast<float>(mSteps));
+            mProgress->report(std::min(1.0f, static_cast<float>(mDone) / static_cast<float>(mSteps)));
         ++mDone;
         return true;
     }

@@ -9,6 +9,24 @@ namespace lodsmith::analysis {
 
 namespace {
 
+using Add = void (FigureSums::*)(double);
+
+/// Measures one sample after the other. False when the work was cancelled.
+template <class Measure>
+bool measureAll(const std::vector<SurfaceSample>& area, const std::vector<SurfaceSample>& vertices,
+                ComparisonProgress& progress, Measure measure)
+{
+    const auto measureEach = [&](const std::vector<SurfaceSample>& samples, Add add) {
+        return std::all_of(samples.begin(), samples.end(), [&](const SurfaceSample& sample) {
+            if (!progress.step())
+                return false;
+            measure(sample, add);
+            return true;
+        });
+    };
+    return measureEach(area, &FigureSums::add) && measureEach(vertices, &FigureSums::addExtreme);
+}
+
 class Comparison {
 public:
     Comparison(const Surface& from, const SurfaceIndex& to)
@@ -16,15 +34,19 @@ public:
     {
     }
 
-    void measure(const SurfaceSample& sample, void (FigureSums::*add)(double))
+    double measureDistance(const SurfaceSample& sample, Add add)
     {
         const Vec3 point = pointAt(mFrom.corners(sample.triangle), sample.weights);
         const ClosestHit hit = mTo.closest(point, mGuess);
         mGuess = hit.triangle;
         const double distance = hit.distance();
         (mResult.distance.*add)(distance);
+        return distance;
+    }
 
-        const AttributeDifference difference = compareAttributes(sample, distance);
+    void measure(const SurfaceSample& sample, Add add)
+    {
+        const AttributeDifference difference = compareAttributes(sample, measureDistance(sample, add));
         if (difference.normal)
             (mResult.normal.*add)(*difference.normal);
         if (difference.uv)
@@ -90,17 +112,20 @@ Result<SurfaceComparison> compareSurfaces(const Surface& from, const SurfaceInde
                                           const std::vector<SurfaceSample>& vertices, ComparisonProgress& progress)
 {
     Comparison comparison(from, to);
-    const auto measureAll = [&](const std::vector<SurfaceSample>& samples, void (FigureSums::*add)(double)) {
-        return std::all_of(samples.begin(), samples.end(), [&](const SurfaceSample& sample) {
-            if (!progress.step())
-                return false;
-            comparison.measure(sample, add);
-            return true;
-        });
-    };
-    if (!measureAll(area, &FigureSums::add) || !measureAll(vertices, &FigureSums::addExtreme))
+    if (!measureAll(area, vertices, progress,
+                    [&](const SurfaceSample& sample, Add add) { comparison.measure(sample, add); }))
         return ComparisonProgress::cancelled();
     return comparison.result();
+}
+
+Result<FigureSums> compareDistances(const Surface& from, const SurfaceIndex& to, const std::vector<SurfaceSample>& area,
+                                    const std::vector<SurfaceSample>& vertices, ComparisonProgress& progress)
+{
+    Comparison comparison(from, to);
+    if (!measureAll(area, vertices, progress,
+                    [&](const SurfaceSample& sample, Add add) { comparison.measureDistance(sample, add); }))
+        return ComparisonProgress::cancelled();
+    return comparison.result().distance;
 }
 
 } // namespace lodsmith::analysis

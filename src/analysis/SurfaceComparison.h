@@ -40,4 +40,8 @@ Result<SurfaceComparison> compareSurfaces(const Surface& from, const SurfaceInde
                                           const std::vector<SurfaceSample>& area,
                                           const std::vector<SurfaceSample>& vertices, ComparisonProgress& progress);
 
+/// The distances alone.
+Result<FigureSums> compareDistances(const Surface& from, const SurfaceIndex& to, const std::vector<SurfaceSample>& area,
+                                    const std::vector<SurfaceSample>& vertices, ComparisonProgress& progress);
+
 } // namespace lodsmith::analysis

@@ -27,11 +27,10 @@ std::vector<Vec3> localPoints(const PositionTable& table, const LocalFrame& fram
 
 /// Distances of the first `count` points, in world units.
 Result<std::vector<float>> distancesOf(const std::vector<Vec3>& points, std::size_t count, const SurfaceIndex& surface,
-                                       const LocalFrame& frame, Progress* progress)
+                                       const LocalFrame& frame, ComparisonProgress& steps)
 {
     std::vector<float> distances;
     distances.reserve(count);
-    ComparisonProgress steps(progress, count);
     std::uint32_t guess = 0;
     for (std::size_t i = 0; i < count; ++i) {
         if (!steps.step())
@@ -45,7 +44,7 @@ Result<std::vector<float>> distancesOf(const std::vector<Vec3>& points, std::siz
 }
 
 Result<std::vector<float>> distancesOf(const MeshView& to, const std::vector<WeldedTriangle>& triangles,
-                                       const PositionTable& table, std::size_t count, Progress* progress)
+                                       const PositionTable& table, std::size_t count, ComparisonProgress& steps)
 {
     const LocalFrame frame(table.positions());
     const std::vector<Vec3> points = localPoints(table, frame);
@@ -57,7 +56,7 @@ Result<std::vector<float>> distancesOf(const MeshView& to, const std::vector<Wel
     const Result<SurfaceIndex> index = SurfaceIndex::create(surface);
     if (!index)
         return index.error();
-    return distancesOf(points, count, index.value(), frame, progress);
+    return distancesOf(points, count, index.value(), frame, steps);
 }
 
 /// From distances of welded positions to distances of the vertices that lie there.
@@ -76,7 +75,8 @@ VertexDistances spread(const MeshView& mesh, const std::vector<WeldedTriangle>& 
     return result;
 }
 
-Result<VertexDistances> measure(const MeshView& from, const MeshView& to, Progress* progress)
+/// At rest, or in the pose whose views these are.
+Result<VertexDistances> measure(const MeshView& from, const MeshView& to, ComparisonProgress& steps)
 {
     PositionTable table;
     const Result<std::vector<WeldedTriangle>> fromTriangles = weldTriangles(from, table);
@@ -86,10 +86,36 @@ Result<VertexDistances> measure(const MeshView& from, const MeshView& to, Progre
     const Result<std::vector<WeldedTriangle>> toTriangles = weldTriangles(to, table);
     if (!toTriangles)
         return toTriangles.error();
-    const Result<std::vector<float>> distances = distancesOf(to, toTriangles.value(), table, fromPositions, progress);
+    const Result<std::vector<float>> distances = distancesOf(to, toTriangles.value(), table, fromPositions, steps);
     if (!distances)
         return distances.error();
-    VertexDistances result = spread(from, fromTriangles.value(), distances.value());
+    return spread(from, fromTriangles.value(), distances.value());
+}
+
+void raise(VertexDistances& distances, const VertexDistances& others)
+{
+    for (std::size_t b = 0; b < distances.size(); ++b)
+        for (std::size_t v = 0; v < distances[b].size(); ++v)
+            distances[b][v] = std::max(distances[b][v], others[b][v]);
+}
+
+Result<VertexDistances> measureAll(const MeshView& from, const MeshView& to, Progress* progress)
+{
+    const std::size_t poses = poseCount(from) == poseCount(to) ? poseCount(from) : 0;
+    std::uint64_t vertices = 0;
+    for (const VertexBufferView& buffer : from.vertexBuffers)
+        vertices += buffer.vertexCount;
+    ComparisonProgress steps(progress, (1 + poses) * vertices);
+    Result<VertexDistances> result = measure(from, to, steps);
+    for (std::size_t pose = 0; pose < poses && result; ++pose) {
+        const Result<VertexDistances> posed = measure(inPose(from, pose), inPose(to, pose), steps);
+        if (posed)
+            raise(result.value(), posed.value());
+        else if (posed.error().code != ErrorCode::Unsupported)
+            return posed.error();
+    }
+    if (!result)
+        return result.error();
     if (progress && progress->cancelled())
         return ComparisonProgress::cancelled();
     if (progress)
@@ -106,7 +132,7 @@ Result<std::vector<std::vector<float>>> surfaceDistances(const MeshView& from, c
     if (progress && progress->cancelled())
         return analysis::ComparisonProgress::cancelled();
     try {
-        return analysis::measure(from, to, progress);
+        return analysis::measureAll(from, to, progress);
     } catch (const std::bad_alloc&) {
         return Error{ErrorCode::OutOfMemory, "not enough memory to measure the distances"};
     }

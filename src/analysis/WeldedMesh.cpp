@@ -134,6 +134,26 @@ Result<std::vector<WeldedTriangle>> weldTriangles(const MeshView& mesh, Position
     return triangles;
 }
 
+Result<std::vector<WeldedTriangle>> weldTrianglesInPose(const MeshView& mesh, std::size_t pose, PositionTable& table)
+{
+    Result<std::vector<WeldedTriangle>> welded = weldTriangles(inPose(mesh, pose), table);
+    if (!welded)
+        return welded;
+    const auto restOf = [&](const WeldedTriangle& triangle, std::size_t corner) {
+        Position position;
+        mesh.vertexBuffers[mesh.subMeshes[triangle.subMesh].vertexBuffer].positions.read(triangle.vertex[corner], 3,
+                                                                                         position.data());
+        return position;
+    };
+    std::vector<WeldedTriangle>& triangles = welded.value();
+    const auto collapsedAtRest = [&](const WeldedTriangle& triangle) {
+        const Position a = restOf(triangle, 0), b = restOf(triangle, 1), c = restOf(triangle, 2);
+        return a == b || b == c || c == a;
+    };
+    triangles.erase(std::remove_if(triangles.begin(), triangles.end(), collapsedAtRest), triangles.end());
+    return welded;
+}
+
 std::vector<bool> findRepeated(const std::vector<WeldedTriangle>& triangles, Repetition kind)
 {
     std::vector<TriangleKey> keys;

@@ -48,6 +48,9 @@ struct WeldedTriangle {
 /// Errors: IndexOutOfRange; InvalidGeometry for a referenced position that is not finite.
 LODSMITH_API Result<std::vector<WeldedTriangle>> weldTriangles(const MeshView& mesh, PositionTable& table);
 
+/// The same with the positions of a pose, for the triangles that have three different ones at rest.
+Result<std::vector<WeldedTriangle>> weldTrianglesInPose(const MeshView& mesh, std::size_t pose, PositionTable& table);
+
 /// What makes a triangle the repetition of another with the same three positions.
 enum class Repetition {
     AnyWinding,           ///< nothing else

@@ -6,6 +6,6 @@ namespace lodsmith {
 
 /// In every key and every entry. To be raised with every change of either, and with every change of simplify() that gives other
 /// chains within one version of the library.
-constexpr std::uint32_t kCacheFormat = 1;
+constexpr std::uint32_t kCacheFormat = 2;
 
 } // namespace lodsmith

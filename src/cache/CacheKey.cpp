@@ -116,6 +116,9 @@ void addVertices(KeyHasher& hasher, const VertexBufferView& buffer)
     hasher.number(buffer.offsets.size());
     for (const FloatStream& offsets : buffer.offsets)
         hasher.floats<3>(offsets, count);
+    hasher.number(buffer.poses.size());
+    for (const FloatStream& pose : buffer.poses)
+        hasher.floats<3>(pose, count);
     hasher.floats<1>(buffer.importance, count);
 }
 

@@ -58,6 +58,14 @@ Json levelRecord(std::size_t level, const Json& value, const MeshStatistics& sta
                 {"degenerate_triangles", deviation.degenerateTriangles}};
 }
 
+Json poseRecords(const std::vector<PoseMoment>& poses)
+{
+    Json records = Json::array();
+    for (const PoseMoment& pose : poses)
+        records.push_back({{"name", pose.name}, {"seconds", pose.seconds}});
+    return records;
+}
+
 Result<Json> measureLevel(const MeshView& original, const MeshView& simplified, std::size_t level, const Json& value,
                           const DeviationOptions& options)
 {
@@ -70,17 +78,21 @@ Result<Json> measureLevel(const MeshView& original, const MeshView& simplified, 
     return levelRecord(level, value, statistics.value(), deviation.value());
 }
 
-Result<Json> measureMesh(const Ogre::Mesh& mesh, const MeshView* original, const DeviationOptions& options,
+/// @param original null for level 0 of the mesh itself
+Result<Json> measureMesh(const Ogre::Mesh& mesh, const MeshData* original, const DeviationOptions& options,
                          Progress& progress)
 {
-    const Result<std::shared_ptr<const MeshData>> levelZero = LevelReader::readLevelZero(mesh);
+    const Result<std::shared_ptr<const MeshData>> levelZero =
+        LevelReader::readLevelZero(mesh, original ? &original->poses() : nullptr);
     if (!levelZero)
         return levelZero.error();
-    const MeshView& reference = original ? *original : levelZero.value()->view();
+    const MeshView& reference = original ? original->view() : levelZero.value()->view();
     const Result<MeshStatistics> statistics = meshStatistics(reference);
     if (!statistics)
         return statistics.error();
-    Json record{{"radius", statistics.value().radius}, {"levels", Json::array()}};
+    Json record{{"radius", statistics.value().radius},
+                {"poses", poseRecords(levelZero.value()->poses())},
+                {"levels", Json::array()}};
     const unsigned levels = mesh.getNumLodLevels();
     for (unsigned level = 0; level < levels; ++level) {
         const Result<LevelData> data = LevelReader::read(mesh, levelZero.value(), level);
@@ -110,7 +122,7 @@ Result<Json> measureFile(const MeasureArguments& arguments, Progress& progress)
     const Result<MeshData> data = MeshReader::read(*original.value());
     if (!data)
         return withFile(data.error(), arguments.original);
-    return measureMesh(*mesh.value(), &data.value().view(), arguments.options, progress);
+    return measureMesh(*mesh.value(), &data.value(), arguments.options, progress);
 }
 
 std::string text(const Json& number)
@@ -133,7 +145,11 @@ std::string report(const Json& record)
                    text(level["surface"]["max"]), text(level["normal"]["mean"]), text(level["uv"]["mean"]),
                    text(level["flipped_triangles"]), text(level["new_border_edges"]),
                    text(level["new_non_manifold_edges"])});
-    return table.text();
+    const std::size_t poses = record["poses"].size();
+    const std::string counted = poses == 0 ? ""
+                                           : "Mean, rms and max are over rest and " + std::to_string(poses)
+                                                 + (poses == 1 ? " pose" : " poses") + ".\n";
+    return table.text() + counted;
 }
 
 int runMeasure(const MeasureArguments& arguments)

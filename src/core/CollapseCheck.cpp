@@ -1,5 +1,7 @@
 #include "CollapseCheck.h"
 
+#include "PosedRing.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -10,6 +12,9 @@ namespace {
 constexpr double kLeastCosine = 0.2; // a face may turn by up to 78 degrees in one collapse
 // ... and never against the surface that there was at its corners: sum of three cosines
 constexpr double kAgainst = 0.03 * CollapseMesh::kNormalSteps;
+// ... or, in a pose, where mean normals of folds tell little: at -0.03 too the mean deviation rose by a sixth
+constexpr double kAgainstInPose = 0.3 * CollapseMesh::kNormalSteps;
+constexpr float kDrawnTogether = 1e-4f; // share of its area at rest below which a face has none in a pose
 constexpr std::uint32_t kOrdinaryFaces = 8;
 constexpr std::uint32_t kHubFaces = 64; // from here on it is cheaper to ask the neighbours than to walk the hub
 
@@ -43,6 +48,28 @@ bool isAgainst(const Vec3& around, const Vec3& after)
     return along < 0.0 && along * along > kAgainst * kAgainst * lengthSquared(after);
 }
 
+/// A face as it stands in four poses.
+struct PosedFace {
+    Lanes3 before, after;
+    Lanes3 around; ///< mean normals that the input has at the corners, added
+};
+
+/// Whether a face is turned too far in one of four poses in which it agrees with the faces around it, and has an area.
+bool turnsInAnyLane(const PosedFace& face, const Lanes3& whole, float leastArea)
+{
+    const Lanes agreement = dot(whole, face.before), along = dot(face.before, face.after),
+                back = dot(face.around, face.after);
+    const Lanes sizeBefore = sqrt(dot(face.before, face.before)), sizeAfter = sqrt(dot(face.after, face.after));
+    int turned = 0;
+    for (std::size_t i = 0; i < Poses::kLanes; ++i) {
+        const bool counts = (agreement[i] > 0.0f) & (sizeBefore[i] > leastArea);
+        const bool holds = (along[i] > float(kLeastCosine) * sizeBefore[i] * sizeAfter[i])
+                           & (back[i] >= -float(kAgainstInPose) * sizeAfter[i]);
+        turned |= int(counts) & int(!holds);
+    }
+    return turned != 0;
+}
+
 } // namespace
 
 bool CollapseCheck::allows(OneRing& ring, std::uint32_t neighbour) const
@@ -56,7 +83,7 @@ bool CollapseCheck::allows(OneRing& ring, std::uint32_t neighbour) const
     if (leavesLine(ring, neighbour))
         return false;
     ring.aimAt(neighbour);
-    if (turnsFaceOver(ring, destination))
+    if (turnsFaceOver(ring, destination) || (ring.isPosed && turnsFaceOverInPose(ring, neighbour)))
         return false;
     const bool hub = mMesh.vertices[destination].liveFaces > kHubFaces;
     if (!hub && isOrdinary(ring, neighbour))
@@ -85,6 +112,24 @@ bool CollapseCheck::turnsFaceOver(const OneRing& ring, std::uint32_t destination
                             + mMesh.meanNormal(ring.neighbours[ringFace.third].vertex);
         if (isTurnedOver(CollapseMesh::normalOf(mMesh.faces[ringFace.face]), after) || isAgainst(around, after))
             return true;
+    }
+    return false;
+}
+
+/// What the pose itself has folded, or drawn together to nothing, is not looked at.
+bool CollapseCheck::turnsFaceOverInPose(const OneRing& ring, std::uint32_t neighbour) const
+{
+    for (std::size_t group = 0; group < mMesh.poses.groups(); ++group) {
+        const PosedRing posed(ring, group);
+        const Lanes3 whole = posed.wholeArea(), shift = posed.edge(neighbour), there = posed.meanNormal(neighbour);
+        for (std::uint32_t i = 0; i < ring.survivorCount; ++i) {
+            const OneRing::RingFace& face = ring.faces[ring.survivors[i]];
+            const Lanes3 second = posed.edge(face.second), third = posed.edge(face.third);
+            const PosedFace posedFace{cross(second, third), cross(second - shift, third - shift),
+                                      there + posed.meanNormal(face.second) + posed.meanNormal(face.third)};
+            if (turnsInAnyLane(posedFace, whole, kDrawnTogether * mMesh.faces[face.face].area))
+                return true;
+        }
     }
     return false;
 }

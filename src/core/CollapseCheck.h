@@ -4,7 +4,7 @@
 
 namespace lodsmith {
 
-/// Tells whether a collapse keeps the surface sound: no face turned over, nothing pinched, no face doubled, no edge with
+/// Tells whether a collapse keeps the surface sound: no face turned over, at rest or in a pose, nothing pinched, no face doubled, no edge with
 /// more faces than before, no piece gone.
 ///
 /// The link condition (Dey, Edelsbrunner, Guha and Nekhayev 1999), with a border counting as one more vertex, read so that
@@ -19,6 +19,7 @@ public:
 private:
     static bool leavesLine(const OneRing& ring, std::uint32_t neighbour);
     bool turnsFaceOver(const OneRing& ring, std::uint32_t destination) const;
+    bool turnsFaceOverInPose(const OneRing& ring, std::uint32_t neighbour) const;
     bool isOrdinary(const OneRing& ring, std::uint32_t neighbour) const;
     bool keepsLink(const OneRing& ring, std::uint32_t neighbour) const;
     bool keepsLinkAtHub(const OneRing& ring, std::uint32_t neighbour) const;

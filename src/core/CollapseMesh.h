@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ClosestPoint.h"
+#include "Poses.h"
 #include "Prefetch.h"
 #include "Vec3.h"
 
@@ -62,6 +63,11 @@ public:
     std::uint32_t subMeshOfWedge(std::uint32_t wedge) const { return wedgeSubMesh.empty() ? 0 : wedgeSubMesh[wedge]; }
     std::uint32_t subMeshOf(const Face& face) const { return subMeshOfWedge(face.wedge[0]); }
     std::uint32_t motionOf(std::uint32_t wedge) const { return wedgeMotion.empty() ? 0 : wedgeMotion[wedge]; }
+    /// Where poses keep a wedge.
+    std::uint32_t placeOf(std::uint32_t wedge) const
+    {
+        return wedgeMotion.empty() ? vertexOf(wedge) : wedgeMotion[wedge];
+    }
     const float* attributesOf(std::uint32_t wedge) const
     {
         return attributes.data() + std::size_t{wedge} * attributeStride;
@@ -151,6 +157,8 @@ public:
     std::vector<std::uint32_t> wedgeMotion;      ///< equal where wedges of a vertex move together; empty when all do
     std::vector<float> importance;               ///< of each vertex, 0..1; empty when all are 0
     std::vector<std::array<std::int8_t, 3>> meanNormals; ///< in steps, to save memory: half a degree is near enough
+
+    Poses poses; ///< empty when rest is all that counts
 
     std::size_t attributeStride = 0; ///< floats a wedge, even; 0 when no attribute counts
     std::vector<float> attributes;   ///< scaled and weighted, so that their squares add to squared distances

@@ -14,7 +14,7 @@ bool OneRing::build(CollapseMesh& mesh, std::uint32_t v)
 {
     vertex = v;
     faceCount = neighbourCount = 0;
-    isFan = isPlain = false;
+    isFan = isPlain = isPosed = false;
     if (mesh.vertices[v].liveFaces == 0 || mesh.vertices[v].liveFaces > kMaxFaces)
         return false;
     mesh.compactFaceList(v);
@@ -26,6 +26,8 @@ bool OneRing::build(CollapseMesh& mesh, std::uint32_t v)
     isPlain = isFan && !seamNear;
     if (!isFan)
         linkAny(mesh, corners);
+    if (mesh.poses.count() != 0)
+        findPlaces(mesh);
     return true;
 }
 
@@ -125,6 +127,20 @@ std::uint16_t OneRing::note(CollapseMesh& mesh, std::uint32_t vertexNumber, std:
     entry.faces = 1;
     entry.firstFace = entry.lastFace = static_cast<std::uint8_t>(face);
     return record.ringIndex;
+}
+
+/// Each face says where its corners are. They disagree where the surface comes apart.
+void OneRing::findPlaces(const CollapseMesh& mesh)
+{
+    here = mesh.poses.of(mesh.placeOf(faces[0].wedge[0]));
+    for (std::uint32_t i = 0; i < neighbourCount; ++i)
+        there[i] = mesh.poses.of(mesh.placeOf(wedgeOf(faces[neighbours[i].firstFace], i)));
+    const auto agrees = [&](const RingFace& face) {
+        return mesh.poses.of(mesh.placeOf(face.wedge[0])) == here
+               && mesh.poses.of(mesh.placeOf(face.wedge[1])) == there[face.second]
+               && mesh.poses.of(mesh.placeOf(face.wedge[2])) == there[face.third];
+    };
+    isPosed = mesh.wedgeMotion.empty() || std::all_of(faces, faces + faceCount, agrees);
 }
 
 void OneRing::aimAt(std::uint32_t i)

@@ -44,6 +44,11 @@ public:
     RingFace faces[kMaxFaces];
     Neighbour neighbours[kMaxNeighbours];
 
+    // Of a mesh with poses:
+    bool isPosed = false; ///< there are poses, and nothing at this vertex comes apart in them
+    const Poses::Group* here = nullptr;
+    const Poses::Group* there[kMaxNeighbours]; ///< neighbours
+
     // As of aimAt():
     std::uint32_t survivorCount = 0;
     std::uint8_t survivors[kMaxFaces]; ///< ring faces that outlast the collapse
@@ -86,6 +91,7 @@ private:
     bool readFaces(const CollapseMesh& mesh, Corners& corners);
     bool linkFan(CollapseMesh& mesh, const Corners& corners);
     void linkAny(CollapseMesh& mesh, const Corners& corners);
+    void findPlaces(const CollapseMesh& mesh);
     std::uint16_t note(CollapseMesh& mesh, std::uint32_t vertexNumber, std::uint32_t face);
 };
 

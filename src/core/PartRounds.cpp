@@ -61,7 +61,7 @@ float costOf(std::uint32_t bits)
 
 bool PartRounds::isFor(const CollapseMesh& mesh)
 {
-    return mesh.vertexCount() > kLargeMesh;
+    return mesh.vertexCount() > kLargeMesh && mesh.poses.count() == 0;
 }
 
 Partition PartRounds::cut()

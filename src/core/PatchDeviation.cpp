@@ -19,13 +19,17 @@ bool isHidden(double seen, double areaSquared)
     return (seen < 0.0) | (seen * seen < kEdgeOn * areaSquared);
 }
 
-/// The point of the segment from a to b nearest to the origin.
-Vec3 nearestToOrigin(const Vec3& a, const Vec3& b)
+/// The point of the segment from a to b nearest to the origin, as a share of the way.
+double nearestToOrigin(const Vec3& a, const Vec3& b)
 {
     const Vec3 along = b - a;
     const double squared = lengthSquared(along);
-    const double t = squared > 0.0 ? std::clamp(-dot(a, along) / squared, 0.0, 1.0) : 0.0;
-    return a + along * t;
+    return squared > 0.0 ? std::clamp(-dot(a, along) / squared, 0.0, 1.0) : 0.0;
+}
+
+Vec3 between(const Vec3& a, const Vec3& b, double share)
+{
+    return a + (b - a) * share;
 }
 
 } // namespace
@@ -39,10 +43,11 @@ void PatchDeviation::evaluate(const OneRing& ring, const CollapseMesh& mesh, std
         mBefore[i] = mesh.faces[ring.faces[i].face].deviation;
         before = std::max(before, mBefore[i]);
     }
-    const double simple = before + length(ring.neighbours[neighbour].edge);
+    const double simple = before + farthestMove(neighbour);
     std::fill(mAfter, mAfter + ring.faceCount, simple);
     mLost = 0.0;
-    if (!evaluateFans(neighbour)) {
+    const bool comesApart = mesh.poses.count() != 0 && !ring.isPosed;
+    if (comesApart || !evaluateFans(neighbour)) {
         std::fill(mAfter, mAfter + ring.faceCount, simple);
         mLost = simple;
     }
@@ -53,6 +58,52 @@ void PatchDeviation::evaluate(const OneRing& ring, const CollapseMesh& mesh, std
         after = std::min(after, simple);
         mLargest = std::max(mLargest, after);
     }
+}
+
+/// How far the vertex moves, at rest or in a pose.
+double PatchDeviation::farthestMove(std::uint32_t neighbour)
+{
+    const double atRest = length(mRing->neighbours[neighbour].edge);
+    if (mMesh->poses.count() == 0)
+        return atRest;
+    return std::max(atRest, mRing->isPosed ? inPoses({{neighbour, 1.0}}) : farthestSplitMove(neighbour));
+}
+
+/// How far in poses where the vertex is at several places at once.
+double PatchDeviation::farthestSplitMove(std::uint32_t neighbour)
+{
+    if (!mWedges.build(*mMesh, *mRing, neighbour))
+        return std::numeric_limits<double>::infinity();
+    double largest = 0.0;
+    for (std::uint32_t i = 0; i < mRing->wedgeCount; ++i) {
+        const Poses::Group* from = mMesh->poses.of(mMesh->placeOf(mRing->wedges[i]));
+        const Poses::Group* to = mMesh->poses.of(mMesh->placeOf(mWedges.to(i)));
+        for (std::size_t group = 0; group < mMesh->poses.groups(); ++group)
+            for (std::size_t k = 0; k < Poses::kLanes; ++k)
+                largest = std::max(largest, length(to[group].at(k) - from[group].at(k)));
+    }
+    return largest;
+}
+
+/// How far from the vertex a point is, in the pose where that is farthest.
+double PatchDeviation::inPoses(std::initializer_list<Share> point) const
+{
+    double largest = 0.0;
+    for (std::size_t group = 0; group < mMesh->poses.groups(); ++group) {
+        const Poses::Group& here = mRing->here[group];
+        double x[Poses::kLanes] = {}, y[Poses::kLanes] = {}, z[Poses::kLanes] = {};
+        for (const Share& share : point) {
+            const Poses::Group& there = mRing->there[share.spoke][group];
+            for (std::size_t k = 0; k < Poses::kLanes; ++k) {
+                x[k] += share.weight * (double{there.position.x[k]} - double{here.position.x[k]});
+                y[k] += share.weight * (double{there.position.y[k]} - double{here.position.y[k]});
+                z[k] += share.weight * (double{there.position.z[k]} - double{here.position.z[k]});
+            }
+        }
+        for (std::size_t k = 0; k < Poses::kLanes; ++k)
+            largest = std::max(largest, x[k] * x[k] + y[k] * y[k] + z[k] * z[k]);
+    }
+    return std::sqrt(largest);
 }
 
 /// False when the faces around the vertex are neither one fan nor the two faces of a wall.
@@ -156,6 +207,7 @@ bool PatchDeviation::evaluateFan(const Fan& fan)
 
 bool PatchDeviation::evaluateClosed(const Fan& fan)
 {
+    mIsMoved = false;
     if (!project(fan, {}) || !compareAtCentre(fan))
         return false;
     compareAtCrossings(fan);
@@ -169,8 +221,8 @@ std::uint32_t PatchDeviation::nearestCut(const Fan& fan) const
     std::uint32_t cut = 1;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::uint32_t i = 1; i < fan.count; ++i) {
-        const double distance = lengthSquared(
-            nearestToOrigin(mRing->neighbours[fan.spokes[0]].edge, mRing->neighbours[fan.spokes[i]].edge));
+        const Vec3 &from = mRing->neighbours[fan.spokes[0]].edge, &to = mRing->neighbours[fan.spokes[i]].edge;
+        const double distance = lengthSquared(between(from, to, nearestToOrigin(from, to)));
         if (distance < nearest) {
             nearest = distance;
             cut = i;
@@ -183,8 +235,14 @@ std::uint32_t PatchDeviation::nearestCut(const Fan& fan) const
 /// halves) that now has this segment as its straight side.
 bool PatchDeviation::evaluateCut(const Fan& fan, std::uint32_t cut)
 {
-    const Vec3 centre = nearestToOrigin(mRing->neighbours[fan.spokes[0]].edge, mRing->neighbours[fan.spokes[cut]].edge);
-    const double shift = length(centre);
+    const Vec3 &from = mRing->neighbours[fan.spokes[0]].edge, &to = mRing->neighbours[fan.spokes[cut]].edge;
+    mIsMoved = true;
+    mCut = fan.spokes[cut];
+    mTowards = nearestToOrigin(from, to);
+    const Vec3 centre = between(from, to, mTowards);
+    double shift = length(centre);
+    if (mRing->isPosed)
+        shift = std::max(shift, inPoses({{fan.spokes[0], 1.0 - mTowards}, {mCut, mTowards}}));
     Fan half;
     half.reversed = fan.reversed;
     for (const bool second : {false, true}) {
@@ -279,7 +337,11 @@ bool PatchDeviation::compareAtCentre(const Fan& fan)
         const double w2 = mU[0] * mV[j] - mU[j] * mV[0];
         const double sum = w0 + w1 + w2;
         if (w0 >= 0.0 && w1 >= 0.0 && w2 >= 0.0 && sum > 0.0) {
-            const double height = std::abs(w0 * mZ[0] + w1 * mZ[j] + w2 * mZ[j + 1]) / sum;
+            double height = std::abs(w0 * mZ[0] + w1 * mZ[j] + w2 * mZ[j + 1]) / sum;
+            if (mRing->isPosed)
+                height = std::max(
+                    height,
+                    inPoses({{fan.spokes[0], w0 / sum}, {fan.spokes[j], w1 / sum}, {fan.spokes[j + 1], w2 / sum}}));
             cover(j, height, *std::max_element(mOld, mOld + fan.count));
             return true;
         }
@@ -305,12 +367,26 @@ void PatchDeviation::compareAtCrossings(const Fan& fan)
             const double t = (mU[0] * mV[i] - mU[i] * mV[0]) / across;
             if (!(s >= 0.0 && s <= 1.0 && t >= 0.0 && t <= 1.0))
                 continue;
-            const double difference = std::abs(s * mZ[i] - (mZ[0] + t * (mZ[j] - mZ[0])));
+            double difference = std::abs(s * mZ[i] - (mZ[0] + t * (mZ[j] - mZ[0])));
+            if (mRing->isPosed)
+                difference = std::max(difference, crossingInPoses(fan, i, s, j, t));
             const double before = std::max(mOld[i - 1], mOld[i]);
             cover(j - 1, difference, before);
             cover(j, difference, before);
         }
     }
+}
+
+/// How far the point at s of old spoke i, which begins where the vertex has been moved to, is in poses from the one at t of
+/// the new spoke to j.
+double PatchDeviation::crossingInPoses(const Fan& fan, std::uint32_t i, double s, std::uint32_t j, double t) const
+{
+    if (!mIsMoved)
+        return inPoses({{fan.spokes[i], s}, {fan.spokes[0], t - 1.0}, {fan.spokes[j], -t}});
+    return inPoses({{fan.spokes[i], s},
+                    {fan.spokes[0], (1.0 - s) * (1.0 - mTowards) + t - 1.0},
+                    {mCut, (1.0 - s) * mTowards},
+                    {fan.spokes[j], -t}});
 }
 
 /// Every new face also covers some of the old one on the same edge of the fan's outline; the first and the last, of the

@@ -1,6 +1,9 @@
 #pragma once
 
 #include "OneRing.h"
+#include "WedgeMap.h"
+
+#include <initializer_list>
 
 namespace lodsmith {
 
@@ -11,6 +14,9 @@ namespace lodsmith {
 /// is off by is added to the bounds of those old ones that it covers. A border is first drawn straight, and a fold that
 /// has no such plane is cut in two along an edge that the collapse creates. Where nothing of this fits, the length of the
 /// collapsed edge is a bound.
+///
+/// In a pose, what lies over one another at rest is taken to belong together: there too both are linear between crossings,
+/// so that the distance of two points that belong together is largest at one of the same crossings.
 class PatchDeviation {
 public:
     /// The ring is aimed at this neighbour.
@@ -33,6 +39,15 @@ private:
         bool reversed = false; ///< against the winding order after all
     };
 
+    /// A point that is a sum of shares of spokes' ends, from the vertex.
+    struct Share {
+        std::uint32_t spoke; ///< neighbour number
+        double weight;
+    };
+
+    double farthestMove(std::uint32_t neighbour);
+    double farthestSplitMove(std::uint32_t neighbour);
+    double inPoses(std::initializer_list<Share> point) const;
     bool evaluateFans(std::uint32_t neighbour);
     bool walkFan(Fan& fan, std::uint32_t neighbour) const;
     bool collectFan(const Vec3& side, double sign, Fan& fan, std::uint32_t& taken) const;
@@ -46,6 +61,7 @@ private:
     bool compareAtCentre(const Fan& fan);
     void compareAtCrossings(const Fan& fan);
     void settle(const Fan& fan, double shift);
+    double crossingInPoses(const Fan& fan, std::uint32_t i, double s, std::uint32_t j, double t) const;
     void cover(std::uint32_t newFace, double difference, double before);
 
     const OneRing* mRing = nullptr;
@@ -54,6 +70,10 @@ private:
     double mAfter[OneRing::kMaxFaces];
     double mLargest = 0.0;
     double mLost = 0.0;
+    std::uint32_t mCut = 0; ///< the spoke towards which the vertex has been moved,
+    double mTowards = 0.0;  ///< how far from the destination, as a share,
+    bool mIsMoved = false;  ///< if it has
+    WedgeMap mWedges;
     double mU[OneRing::kMaxNeighbours], mV[OneRing::kMaxNeighbours],
         mZ[OneRing::kMaxNeighbours];        ///< spokes' ends in the plane, and above it
     double mOld[OneRing::kMaxFaces];        ///< of the fan's faces: bound before

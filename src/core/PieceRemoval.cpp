@@ -36,13 +36,38 @@ void PieceRemoval::measure()
         sum += squared;
         largest = std::max(largest, squared);
     }
+    sum /= static_cast<double>(mVertices.size());
+    if (mMesh.poses.count() != 0)
+        measureInPoses(sum, largest);
     mArea = 0.0;
     for (std::uint32_t face : mFaces) {
         mArea += mMesh.faces[face].area;
         before = std::max<double>(before, mMesh.faces[face].deviation);
     }
-    mDistance = std::sqrt(sum / static_cast<double>(mVertices.size()));
+    mDistance = std::sqrt(sum);
     mDeviation = before + std::sqrt(largest);
+}
+
+/// @param squares mean squared distance at rest; afterwards over rest and all poses
+/// @param largest squared, of any so far
+void PieceRemoval::measureInPoses(double& squares, double& largest) const
+{
+    const auto cornerOf = [this](std::uint32_t wedge, std::size_t pose) {
+        return mMesh.poses.of(mMesh.placeOf(wedge))[pose / Poses::kLanes].at(pose % Poses::kLanes);
+    };
+    const std::uint32_t* to = mMesh.faces[mHeir].wedge;
+    for (std::size_t pose = 0; pose < mMesh.poses.count(); ++pose) {
+        const Corners heir{cornerOf(to[0], pose), cornerOf(to[1], pose), cornerOf(to[2], pose)};
+        double sum = 0.0;
+        for (std::uint32_t face : mFaces)
+            for (std::uint32_t wedge : mMesh.faces[face].wedge) {
+                const double squared = closestPointOnTriangle(cornerOf(wedge, pose), heir).squaredDistance;
+                sum += squared;
+                largest = std::max(largest, squared);
+            }
+        squares += sum / static_cast<double>(3 * mFaces.size());
+    }
+    squares /= static_cast<double>(1 + mMesh.poses.count());
 }
 
 void PieceRemoval::remove()

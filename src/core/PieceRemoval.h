@@ -12,7 +12,7 @@ namespace lodsmith {
 /// like a leaf card that is down to one triangle.
 ///
 /// The piece is left to the face nearest to its centre. No point of the piece is farther from that one than the farthest of
-/// its vertices is (the distance to a triangle is a convex function), which bounds what is lost.
+/// its vertices is (the distance to a triangle is a convex function), which bounds what is lost; in every pose alike.
 class PieceRemoval {
 public:
     explicit PieceRemoval(CollapseMesh& mesh) : mMesh(mesh), mIndex(mesh) {}
@@ -24,7 +24,10 @@ public:
     const std::vector<std::uint32_t>& vertices() const { return mVertices; }
     const std::vector<std::uint32_t>& faces() const { return mFaces; }
     double area() const { return mArea; }
-    double distance() const { return mDistance; }   ///< of its vertices from what stays, root mean square
+    double distance() const
+    {
+        return mDistance;
+    } ///< of its vertices from what stays, root mean square over rest and poses
     double deviation() const { return mDeviation; } ///< bound on the distance of the original surface from what stays
 
     /// Takes the piece that was found out of the mesh.
@@ -36,6 +39,7 @@ private:
     std::uint32_t addNeighbours(std::uint32_t vertex);
     bool isInPiece(std::uint32_t vertex) const;
     void measure();
+    void measureInPoses(double& squares, double& largest) const;
 
     CollapseMesh& mMesh;
     FaceIndex mIndex;

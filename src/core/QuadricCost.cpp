@@ -69,7 +69,7 @@ void QuadricCost::begin(const CollapseMesh& mesh, const OneRing& ring)
     mMesh = &mesh;
     mRing = &ring;
     mArea = 0.0f;
-    mPlaneCount = 0;
+    mPlaneCount = mHeldCount = 0;
     std::fill(mWedgeArea, mWedgeArea + ring.wedgeCount, 0.0f);
     const float bonus = mesh.areaBonus();
     for (std::uint32_t i = 0; i < ring.faceCount; ++i) {
@@ -82,6 +82,8 @@ void QuadricCost::begin(const CollapseMesh& mesh, const OneRing& ring)
         addConstraints();
     mImportanceFactor = importanceFactor(mesh, ring.vertex);
     measurePlanes();
+    if (ring.isPosed)
+        measurePoses();
 }
 
 /// Squared distances of all neighbours to all planes, four neighbours at a time.
@@ -119,6 +121,15 @@ void QuadricCost::measurePlanes(std::size_t first)
         mInverse[first + i] = 1.0f / squared[i];
         mBound[first + i] = bound[i];
     }
+}
+
+void QuadricCost::measurePoses()
+{
+    const std::uint32_t count = mRing->neighbourCount;
+    mPosedPlanes.measure(*mRing, mMesh->poses.groups(), mMesh->areaBonus(), mHeld, mHeldCount);
+    const float share = 1.0f / static_cast<float>(1 + mMesh->poses.count());
+    for (std::uint32_t i = 0; i < count; ++i)
+        mBound[i] = share * (mBound[i] + mPosedPlanes.sum(i));
 }
 
 /// The neighbour of the least bound, the first of equal ones. In integers, which compilers compare without a branch.
@@ -251,6 +262,7 @@ void QuadricCost::addPlane(std::uint32_t neighbour, float weight)
     const Vec3 normal = cross(upright, end.edge);
     mPlanes[mPlaneCount++] = {static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z),
                               weight};
+    mHeld[mHeldCount++] = {neighbour, weight};
 }
 
 /// A seam's line is held as firmly as the attributes jump across it, at most like a material border: what lies

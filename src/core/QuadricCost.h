@@ -1,6 +1,7 @@
 #pragma once
 
 #include "CollapseCost.h"
+#include "PosedPlanes.h"
 #include "WedgeMap.h"
 
 namespace lodsmith {
@@ -10,6 +11,8 @@ namespace lodsmith {
 /// faces as they are now. To this is added, for each wedge, the squared difference between the attributes that it
 /// gets at the destination and those that it would have there if the face behind it went on (Hoppe 1999, who takes the
 /// sum over all faces; the face opposite to the collapse tells as much at a fifth of the time, see docs/simplifier.md).
+///
+/// Of a mesh with poses, the part of the planes is the mean over rest and all poses (Mohr and Gleicher 2003).
 ///
 /// All is relative to the vertex, where a face's plane and its attributes are exactly zero: no constants, no cancellation, and
 /// distances to planes rather than a matrix, so that floats are enough.
@@ -42,6 +45,7 @@ private:
 
     void measurePlanes();
     void measurePlanes(std::size_t firstNeighbour);
+    void measurePoses();
     std::uint32_t leastBound() const;
     void addConstraints();
     void addPlane(std::uint32_t neighbour, float weight);
@@ -59,6 +63,9 @@ private:
     double mImportanceFactor = 1.0;
     std::uint32_t mPlaneCount = 0;
     Plane mPlanes[OneRing::kMaxFaces + OneRing::kMaxNeighbours]; ///< those of the faces, then the constraints
+    std::uint32_t mHeldCount = 0;
+    PosedPlanes::HeldEdge mHeld[OneRing::kMaxNeighbours]; ///< edges with a constraint
+    PosedPlanes mPosedPlanes;
     float mX[OneRing::kMaxNeighbours] = {}, mY[OneRing::kMaxNeighbours] = {},
           mZ[OneRing::kMaxNeighbours] = {};   ///< edges to the neighbours
     float mSquared[OneRing::kMaxNeighbours];  ///< lengths of the edges

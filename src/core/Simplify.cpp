@@ -129,6 +129,8 @@ Result<LodChain> run(const MeshView& view, const std::vector<LevelTarget>& targe
         return welded.error();
     CollapseMesh& mesh = welded.value();
     mesh.buildPlanes();
+    if (auto error = buildPoses(mesh, view))
+        return *error;
     buildAttributes(mesh, view, options.metric == Metric::Quadric ? options.weights : AttributeWeights{0, 0, 0, 0});
     if (inputRead)
         inputRead();
@@ -155,7 +157,8 @@ Result<LodChain> run(const MeshView& view, const std::vector<LevelTarget>& targe
         simplifier.fillQueue();
     }
     LodChain chain = mesh.summary;
-    const double rounding = kRounding * chain.radius;
+    const double radius = std::max(chain.radius, mesh.poses.radius / mesh.scale);
+    const double rounding = kRounding * radius + 2.0 * mesh.poses.slack / mesh.scale;
     std::uint32_t verticesBefore = mesh.liveVertices;
     for (const LevelTarget& target : targets) {
         LodChainLevel level;
@@ -172,8 +175,7 @@ Result<LodChain> run(const MeshView& view, const std::vector<LevelTarget>& targe
         level.triangles = mesh.liveFaces;
         if (mesh.liveVertices
             < mesh.summary.vertices) // two points of one mesh are never farther apart than its diameter
-            level.deviation =
-                std::min(simplifier.outcome().largestDeviation / mesh.scale + rounding, 2.0 * chain.radius);
+            level.deviation = std::min(simplifier.outcome().largestDeviation / mesh.scale + rounding, 2.0 * radius);
         level.cost = simplifier.outcome().largestLength / mesh.scale;
         level.skipped = mesh.liveVertices == verticesBefore;
         if (!level.skipped)

@@ -121,20 +121,43 @@ Position offsetOf(const BufferVertex& v, std::size_t pose)
     return offset;
 }
 
+/// How far a pose moves a vertex.
+Position motionOf(const BufferVertex& v, std::size_t pose)
+{
+    Position posed;
+    positionsInPose(*v.buffer, pose).read(v.index, 3, posed.data());
+    const Position rest = readPosition(*v.buffer, v.index);
+    return {posed[0] - rest[0], posed[1] - rest[1], posed[2] - rest[2]};
+}
+
+bool nearlySame(const Position& a, const Position& b)
+{
+    for (int i = 0; i < 3; ++i)
+        if (std::abs(a[i] - b[i]) > kOffsetTolerance * std::max(std::abs(a[i]), std::abs(b[i])))
+            return false;
+    return true;
+}
+
+/// Whether two vertices move together in every pose; `motion` is one of the two above.
+template <class MotionOf>
+bool sameInAll(std::size_t poses, const BufferVertex& a, const BufferVertex& b, MotionOf motion)
+{
+    for (std::size_t pose = 0; pose < poses; ++pose)
+        if (!nearlySame(motion(a, pose), motion(b, pose)))
+            return false;
+    return true;
+}
+
 bool sameMotion(const BufferVertex& a, const BufferVertex& b)
 {
     const BoneInfluences none;
     if (!sameBones(a.buffer->bones ? a.buffer->bones[a.index] : none,
                    b.buffer->bones ? b.buffer->bones[b.index] : none))
         return false;
-    const std::size_t poses = std::max(a.buffer->offsets.size(), b.buffer->offsets.size());
-    for (std::size_t pose = 0; pose < poses; ++pose) {
-        const Position pa = offsetOf(a, pose), pb = offsetOf(b, pose);
-        for (int i = 0; i < 3; ++i)
-            if (std::abs(pa[i] - pb[i]) > kOffsetTolerance * std::max(std::abs(pa[i]), std::abs(pb[i])))
-                return false;
-    }
-    return true;
+    if (!sameInAll(std::max(a.buffer->offsets.size(), b.buffer->offsets.size()), a, b, offsetOf))
+        return false;
+    const bool bonesTell = a.buffer->bones && b.buffer->bones; // with a tolerance of their own
+    return bonesTell || sameInAll(std::max(a.buffer->poses.size(), b.buffer->poses.size()), a, b, motionOf);
 }
 
 bool sameAttributes(const VertexBufferView& buffer, std::uint32_t a, std::uint32_t b)
@@ -166,7 +189,7 @@ private:
         std::size_t vertices = 0, triangles = 0;
         for (const VertexBufferView& buffer : mView.vertexBuffers) {
             vertices += buffer.vertexCount;
-            mMoves |= buffer.bones != nullptr || !buffer.offsets.empty();
+            mMoves |= buffer.bones != nullptr || !buffer.offsets.empty() || !buffer.poses.empty();
         }
         for (const SubMeshView& subMesh : mView.subMeshes)
             triangles += subMesh.indexCount / 3;

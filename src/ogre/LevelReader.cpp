@@ -74,9 +74,10 @@ Result<Done> readGenerated(const Ogre::Mesh& mesh, const MeshData& levelZero, un
 
 } // namespace
 
-Result<std::shared_ptr<const MeshData>> LevelReader::readLevelZero(const Ogre::Mesh& mesh)
+Result<std::shared_ptr<const MeshData>> LevelReader::readLevelZero(const Ogre::Mesh& mesh,
+                                                                   const std::vector<PoseMoment>* poses)
 {
-    Result<MeshData> data = MeshReader::read(mesh);
+    Result<MeshData> data = MeshReader::read(mesh, {}, poses);
     if (!data)
         return data.error();
     return std::shared_ptr<const MeshData>(std::make_shared<MeshData>(std::move(data).value()));
@@ -98,7 +99,7 @@ Result<LevelData> LevelReader::read(const Ogre::Mesh& mesh, const std::shared_pt
         if (handMade) {
             if (!usage.manualMesh)
                 return Error{ErrorCode::NotFound, nameOf(level) + ": the mesh '" + usage.manualName + "' is not there"};
-            const auto other = readLevelZero(*usage.manualMesh);
+            const auto other = readLevelZero(*usage.manualMesh, &levelZero->poses());
             if (!other)
                 return other.error();
             data.mVertices = other.value();

@@ -1,5 +1,6 @@
 #include "MemoryNeed.h"
 
+#include "PoseReader.h"
 #include "VertexElements.h"
 
 #include <lodsmith/core/MeshView.h>
@@ -45,7 +46,8 @@ std::size_t bytesOfVertices(const Ogre::Mesh& mesh, const Ogre::VertexData* vert
 {
     if (!vertices)
         return 0;
-    std::size_t floats = 3 * offsetSets(mesh, handle);
+    const std::size_t offsets = offsetSets(mesh, handle);
+    std::size_t floats = 3 * (offsets + std::min(offsets, kMostPoses) + (skinned ? kMostPoses : 0));
     for (const Ogre::VertexElement& element : vertices->vertexDeclaration->getElements())
         floats += floatsOf(element);
     floats += weighed ? 1 : 0;

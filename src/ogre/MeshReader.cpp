@@ -3,6 +3,7 @@
 #include "IndexReader.h"
 #include "MainThread.h"
 #include "OgreGuard.h"
+#include "PoseReader.h"
 #include "VertexReader.h"
 
 #include <lodsmith/core/Assert.h>
@@ -56,6 +57,8 @@ public:
         return static_cast<int>(mView.subMeshes.size()) - 1;
     }
 
+    const OffsetMoments& offsets() const { return mOffsets; }
+
 private:
     static std::string place(std::size_t number) { return "submesh " + std::to_string(number) + ": "; }
 
@@ -79,12 +82,13 @@ private:
         if (source.handle == 0 && mShared >= 0)
             return static_cast<std::uint32_t>(mShared);
         const std::size_t firstNote = mNotes.size();
-        Result<VertexBufferView> vertices = readVertices(mMesh, source, mBlocks, mNotes);
+        Result<ReadVertices> vertices = readVertices(mMesh, source, mBlocks, mNotes);
         if (!vertices)
             return vertices.error();
         for (std::size_t i = firstNote; i < mNotes.size(); ++i)
             mNotes[i] = (source.handle == 0 ? std::string("shared vertices: ") : place(number)) + mNotes[i];
-        mView.vertexBuffers.push_back(std::move(vertices).value());
+        mView.vertexBuffers.push_back(std::move(vertices.value().view));
+        mOffsets.push_back(std::move(vertices.value().offsets));
         const auto last = static_cast<std::uint32_t>(mView.vertexBuffers.size()) - 1;
         if (source.handle == 0)
             mShared = static_cast<int>(last);
@@ -95,6 +99,7 @@ private:
     MeshView& mView;
     Blocks& mBlocks;
     std::vector<std::string>& mNotes;
+    OffsetMoments mOffsets;
     int mShared = -1;
 };
 
@@ -139,7 +144,8 @@ void MeshData::releaseArrays()
         subMesh.indices = nullptr;
 }
 
-Result<MeshData> MeshReader::read(const Ogre::Mesh& mesh, const std::vector<float>& subMeshImportance)
+Result<MeshData> MeshReader::read(const Ogre::Mesh& mesh, const std::vector<float>& subMeshImportance,
+                                  const std::vector<PoseMoment>* poses)
 {
     assertMainThread();
     LODSMITH_ASSERT(std::all_of(subMeshImportance.begin(), subMeshImportance.end(),
@@ -159,6 +165,7 @@ Result<MeshData> MeshReader::read(const Ogre::Mesh& mesh, const std::vector<floa
             }
             data.mSubMeshOf.push_back(view.value());
         }
+        data.mPoses = readPoses(mesh, reading.offsets(), poses, data.mView, data.mBlocks, data.mNotes);
         addImportance(subMeshImportance, data.mSubMeshOf, data.mView, data.mBlocks);
         return data;
     });

@@ -179,24 +179,33 @@ void readBones(const VertexSource& source, Blocks& blocks, VertexBufferView& vie
         notes.push_back(std::to_string(astray) + " bone assignments name no vertex and were ignored");
 }
 
-float* addOffsets(Blocks& blocks, VertexBufferView& view)
+float* addOffsets(PoseMoment moment, Blocks& blocks, ReadVertices& read)
 {
-    float* offsets = addBlock<float>(blocks, std::size_t(3) * view.vertexCount);
-    view.offsets.push_back(FloatStream{offsets, 3 * sizeof(float)});
+    float* offsets = addBlock<float>(blocks, std::size_t(3) * read.view.vertexCount);
+    read.view.offsets.push_back(FloatStream{offsets, 3 * sizeof(float)});
+    read.offsets.push_back(std::move(moment));
     return offsets;
 }
 
-std::optional<Error> readPoses(const Ogre::Mesh& mesh, const VertexSource& source, Blocks& blocks,
-                               VertexBufferView& view)
+/// One without a name is called by its number, from 1.
+std::string nameOf(const Ogre::Pose& pose, std::size_t number)
 {
+    return pose.getName().empty() ? "#" + std::to_string(number) : pose.getName();
+}
+
+std::optional<Error> readPoses(const Ogre::Mesh& mesh, const VertexSource& source, Blocks& blocks, ReadVertices& read)
+{
+    const std::uint32_t vertexCount = read.view.vertexCount;
+    std::size_t number = 0;
     for (const Ogre::Pose* pose : mesh.getPoseList()) {
+        ++number;
         if (pose->getTarget() != source.handle || pose->getVertexOffsets().empty())
             continue;
-        float* offsets = addOffsets(blocks, view);
-        std::fill_n(offsets, std::size_t(3) * view.vertexCount, 0.0f);
+        float* offsets = addOffsets({PoseMoment::Kind::Pose, nameOf(*pose, number), 0.0f}, blocks, read);
+        std::fill_n(offsets, std::size_t(3) * vertexCount, 0.0f);
         for (const auto& [index, offset] : pose->getVertexOffsets()) {
             const std::size_t vertex = index - source.vertices->vertexStart;
-            if (vertex >= view.vertexCount)
+            if (vertex >= vertexCount)
                 return Error{ErrorCode::IndexOutOfRange,
                              "pose \"" + pose->getName() + "\" moves a vertex that does not exist",
                              {},
@@ -212,9 +221,10 @@ std::optional<Error> readPoses(const Ogre::Mesh& mesh, const VertexSource& sourc
 }
 
 /// One morph frame, as offsets from the rest position. A frame that moves nothing is left out.
-std::optional<Error> readMorphFrame(const Ogre::HardwareVertexBufferSharedPtr& frame, Blocks& blocks,
-                                    VertexBufferView& view)
+std::optional<Error> readMorphFrame(const Ogre::HardwareVertexBufferSharedPtr& frame, PoseMoment moment, Blocks& blocks,
+                                    ReadVertices& read)
 {
+    const VertexBufferView& view = read.view;
     if (!frame || frame->getNumVertices() < view.vertexCount || frame->getVertexSize() < 3 * sizeof(float))
         return badVertices("a morph frame holds fewer vertices than the mesh");
     const Ogre::HardwareBufferLockGuard lock(frame, Ogre::HardwareBuffer::HBL_READ_ONLY);
@@ -222,10 +232,11 @@ std::optional<Error> readMorphFrame(const Ogre::HardwareVertexBufferSharedPtr& f
     const auto* rest = static_cast<const float*>(view.positions.data);
     const std::size_t floats = std::size_t(3) * view.vertexCount;
 
-    float* offsets = addOffsets(blocks, view);
+    float* offsets = addOffsets(std::move(moment), blocks, read);
     copyElement(source, view.vertexCount, 3, offsets);
     if (std::memcmp(offsets, rest, floats * sizeof(float)) == 0) {
-        view.offsets.pop_back();
+        read.view.offsets.pop_back();
+        read.offsets.pop_back();
         blocks.pop_back();
         return std::nullopt;
     }
@@ -234,16 +245,19 @@ std::optional<Error> readMorphFrame(const Ogre::HardwareVertexBufferSharedPtr& f
     return std::nullopt;
 }
 
-std::optional<Error> readMorphs(const Ogre::Mesh& mesh, const VertexSource& source, Blocks& blocks,
-                                VertexBufferView& view)
+std::optional<Error> readMorphs(const Ogre::Mesh& mesh, const VertexSource& source, Blocks& blocks, ReadVertices& read)
 {
     for (unsigned short i = 0; i < mesh.getNumAnimations(); ++i) {
+        const Ogre::String& name = mesh.getAnimation(i)->getName();
         for (const auto& [handle, track] : mesh.getAnimation(i)->_getVertexTrackList()) {
             if (handle != source.handle || track->getAnimationType() != Ogre::VAT_MORPH)
                 continue;
-            for (unsigned short frame = 0; frame < track->getNumKeyFrames(); ++frame)
-                if (auto error = readMorphFrame(track->getVertexMorphKeyFrame(frame)->getVertexBuffer(), blocks, view))
+            for (unsigned short frame = 0; frame < track->getNumKeyFrames(); ++frame) {
+                const Ogre::VertexMorphKeyFrame& key = *track->getVertexMorphKeyFrame(frame);
+                PoseMoment moment{PoseMoment::Kind::Morph, name, static_cast<float>(key.getTime())};
+                if (auto error = readMorphFrame(key.getVertexBuffer(), std::move(moment), blocks, read))
                     return error;
+            }
         }
     }
     return std::nullopt;
@@ -251,24 +265,25 @@ std::optional<Error> readMorphs(const Ogre::Mesh& mesh, const VertexSource& sour
 
 } // namespace
 
-Result<VertexBufferView> readVertices(const Ogre::Mesh& mesh, const VertexSource& source, Blocks& blocks,
-                                      std::vector<std::string>& notes)
+Result<ReadVertices> readVertices(const Ogre::Mesh& mesh, const VertexSource& source, Blocks& blocks,
+                                  std::vector<std::string>& notes)
 {
     if (source.vertices->vertexCount > std::numeric_limits<std::uint32_t>::max())
         return Error{ErrorCode::Unsupported, "more than 4294967295 vertices in one buffer"};
-    VertexBufferView view;
+    ReadVertices read;
+    VertexBufferView& view = read.view;
     view.vertexCount = static_cast<std::uint32_t>(source.vertices->vertexCount);
     if (auto error = readStreams(*source.vertices, blocks, view))
         return *error;
     noteUnreadElements(*source.vertices, notes);
     if (view.vertexCount == 0)
-        return view;
+        return read;
     readBones(source, blocks, view, notes);
-    if (auto error = readPoses(mesh, source, blocks, view))
+    if (auto error = readPoses(mesh, source, blocks, read))
         return *error;
-    if (auto error = readMorphs(mesh, source, blocks, view))
+    if (auto error = readMorphs(mesh, source, blocks, read))
         return *error;
-    return view;
+    return read;
 }
 
 } // namespace lodsmith

@@ -4,6 +4,7 @@
 
 #include <lodsmith/core/MeshView.h>
 #include <lodsmith/core/Result.h>
+#include <lodsmith/ogre/MeshReader.h>
 
 #include <OgreMesh.h>
 #include <OgreVertexIndexData.h>
@@ -21,9 +22,15 @@ struct VertexSource {
     unsigned short handle = 0;
 };
 
+/// One set of vertices, copied.
+struct ReadVertices {
+    VertexBufferView view;
+    std::vector<PoseMoment> offsets; ///< what each of view.offsets is
+};
+
 /// Copies one set of vertices, with everything that moves them, into new blocks. Adds a note for what was left out.
 /// Errors (without file and submesh): InvalidGeometry, IndexOutOfRange, Unsupported.
-Result<VertexBufferView> readVertices(const Ogre::Mesh& mesh, const VertexSource& source, Blocks& blocks,
-                                      std::vector<std::string>& notes);
+Result<ReadVertices> readVertices(const Ogre::Mesh& mesh, const VertexSource& source, Blocks& blocks,
+                                  std::vector<std::string>& notes);
 
 } // namespace lodsmith

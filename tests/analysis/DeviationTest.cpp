@@ -127,7 +127,7 @@ TEST(Deviation, VerticesAreSamples)
     // A spike too thin for a single area sample to find: its tip is a vertex.
     TestMesh spiked = makeGrid(4, 4);
     TestBuffer& buffer = spiked.buffers[0];
-    buffer = TestBuffer{buffer.positions, {}, {}, {}, {}, {}, {}};
+    buffer = TestBuffer{buffer.positions, {}, {}, {}, {}, {}, {}, {}};
     const std::uint32_t tip = buffer.addPosition(0.5, 0.5, 7.0);
     spiked.subMeshes[0].addTriangle(12, 12 + 1, tip);
     buffer.positions[3 * 13] = buffer.positions[3 * 12] + 1e-6f;

@@ -34,6 +34,7 @@ SimplifyCase fullCase()
     buffer.colours.assign(4 * count, 0.5f);
     buffer.bones.assign(count, {{1, 2, 0, 0}, {0.75f, 0.25f, 0.0f, 0.0f}});
     buffer.offsets.assign(2, std::vector<float>(3 * count, 0.125f));
+    buffer.poses.assign(2, std::vector<float>(3 * count, 0.375f));
     buffer.importance.assign(count, 0.5f);
     input.targets = {{LevelTarget::Kind::Proportional, 0.5}, {LevelTarget::Kind::Triangles, 20}};
     return input;
@@ -64,6 +65,8 @@ private:
             streams.emplace_back(&uv.stream, uv.components);
         for (FloatStream& offsets : buffer.offsets)
             streams.emplace_back(&offsets, 3);
+        for (FloatStream& pose : buffer.poses)
+            streams.emplace_back(&pose, 3);
         return streams;
     }
 
@@ -124,6 +127,8 @@ std::map<std::string, std::function<void(SimplifyCase&)>> changes()
         {"bone", [](Case& c) { c.mesh.buffers[0].bones.back().bone[0] = 7; }},
         {"bone weight", [](Case& c) { c.mesh.buffers[0].bones.back().weight[1] = 0.125f; }},
         {"no bones", [](Case& c) { c.mesh.buffers[0].bones.clear(); }},
+        {"position in a pose", [](Case& c) { c.mesh.buffers[0].poses[1].back() += 0.001f; }},
+        {"one posed stream", [](Case& c) { c.mesh.buffers[0].poses.pop_back(); }},
         {"pose", [](Case& c) { c.mesh.buffers[0].offsets[1].back() += 0.001f; }},
         {"one pose", [](Case& c) { c.mesh.buffers[0].offsets.pop_back(); }},
         {"three poses", [](Case& c) { c.mesh.buffers[0].offsets.push_back(c.mesh.buffers[0].offsets[0]); }},
@@ -221,6 +226,7 @@ TEST(CacheKey, whereAListEndsIsPartOfIt)
     };
     add([=](VertexBufferView& buffer) { buffer.normals = {data, 12}; });
     add([=](VertexBufferView& buffer) { buffer.offsets = {{data, 12}}; });
+    add([=](VertexBufferView& buffer) { buffer.poses = {{data, 12}}; });
     add([=](VertexBufferView& buffer) { buffer.uvSets = {{{data, 12}, 3}}; });
     add([=](VertexBufferView& buffer) { buffer.uvSets = {{{data, 8}, 2}, {{data, 4}, 1}}; });
     add([=](VertexBufferView& buffer) { buffer.uvSets = {{{data, 4}, 1}, {{data, 8}, 2}}; });

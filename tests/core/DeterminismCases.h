@@ -24,6 +24,7 @@ inline std::vector<std::pair<std::string, TestMesh>> determinismMeshes()
             {"wall", makeTwoSidedWall(10)},
             {"lips", makeClosedLips(12)},
             {"skinned tube", makeSkinnedTube(24, 16)},
+            {"bent tube", makeBentTube(24, 16, {40.0, 80.0, 120.0, -120.0, 160.0})},
             {"two materials", makeTwoMaterials(12, false)},
             {"leaf cards", makeLeafCards(100)},
             {"soup", makeSoup(100)},

@@ -74,8 +74,9 @@ RC_GTEST_PROP(Property, UnreferencedVerticesInFrontChangeNothingButTheIndices, (
     prepend(buffer.importance, 1);
     for (std::vector<float>& set : buffer.uvSets)
         prepend(set, 2);
-    for (std::vector<float>& offset : buffer.offsets)
-        prepend(offset, 3);
+    for (std::vector<std::vector<float>>* streams : {&buffer.offsets, &buffer.poses})
+        for (std::vector<float>& stream : *streams)
+            prepend(stream, 3);
     if (!buffer.bones.empty())
         buffer.bones.insert(buffer.bones.begin(), BoneInfluences());
     for (std::uint32_t& index : made.mesh.subMeshes[0].indices)

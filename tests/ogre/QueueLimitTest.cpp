@@ -114,8 +114,9 @@ std::size_t bytesOf(const VertexBufferView& buffer)
         each += stream ? stream.stride : 0;
     for (const UvStream& set : buffer.uvSets)
         each += set.stream.stride;
-    for (const FloatStream& offsets : buffer.offsets)
-        each += offsets.stride;
+    for (const std::vector<FloatStream>* streams : {&buffer.offsets, &buffer.poses})
+        for (const FloatStream& stream : *streams)
+            each += stream.stride;
     return each * buffer.vertexCount;
 }
 

@@ -31,6 +31,23 @@ std::vector<Triangle> corners(const std::vector<WeldedTriangle>& triangles, cons
     return result;
 }
 
+std::vector<Triangle> cornersInPose(const MeshView& mesh, const std::vector<WeldedTriangle>& triangles,
+                                    std::size_t pose)
+{
+    const MeshView posed = inPose(mesh, pose);
+    std::vector<Triangle> result;
+    for (const WeldedTriangle& triangle : triangles) {
+        const VertexBufferView& buffer = posed.vertexBuffers[posed.subMeshes[triangle.subMesh].vertexBuffer];
+        Triangle& corners = result.emplace_back();
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            float position[3];
+            buffer.positions.read(triangle.vertices[corner], 3, position);
+            corners[corner] = {position[0], position[1], position[2]};
+        }
+    }
+    return result;
+}
+
 std::vector<float> attributesOf(const VertexBufferView& buffer, std::uint32_t vertex)
 {
     std::vector<float> values;
@@ -199,7 +216,7 @@ public:
 
     /// Distances are between double-precision points; what their rounding can add is allowed for.
     void deviation(const std::vector<Triangle>& surface, const std::vector<Triangle>& original, double bound,
-                   std::uint32_t samples)
+                   std::uint32_t samples, const std::string& when = "")
     {
         require(std::isfinite(bound) && bound >= 0, "deviation ", bound);
         if (surface.empty() || samples == 0)
@@ -208,8 +225,9 @@ public:
         const double forth = sampledDistance(surface, original, samples, 1);
         const double back = sampledDistance(original, surface, samples, 2);
         require(forth <= bound + rounding, "deviation ", bound, " but a point of the level is ", forth,
-                " off the input");
-        require(back <= bound + rounding, "deviation ", bound, " but a point of the input is ", back, " off the level");
+                " off the input", when);
+        require(back <= bound + rounding, "deviation ", bound, " but a point of the input is ", back, " off the level",
+                when);
     }
 
     void flips(const std::vector<Triangle>& surface, const std::vector<Triangle>& original, double reach,
@@ -390,6 +408,10 @@ void checkSurface(LevelCheck& check, const Input& input, const LodChainLevel& le
     check.locks(triangles, locked);
     const std::vector<Triangle> surface = corners(triangles, input.welded);
     check.deviation(surface, original, level.deviation, samples);
+    for (std::size_t pose = 0; pose < poseCount(input.mesh); ++pose)
+        check.deviation(cornersInPose(input.mesh, triangles, pose),
+                        cornersInPose(input.mesh, input.atRest.triangles, pose), level.deviation, samples,
+                        " in pose " + std::to_string(pose));
     check.flips(surface, original, level.deviation, samples);
 }
 

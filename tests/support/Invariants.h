@@ -35,7 +35,8 @@ struct InvariantOptions {
 /// - Motion: what is said of borders, non-manifold edges, clean input and pieces also holds when only vertices that move
 ///   together (Weld::Motion) count as one: closed lips stay closed at rest and can still open.
 /// - Locks: positions of importance 1, of borders (lockBorders) and with several wedges (lockSeams) are still there.
-/// - Deviation: not below the greatest sampled distance from the level to the input or from the input to the level.
+/// - Deviation: not below the greatest sampled distance from the level to the input or from the input to the level, at rest and
+///   in every pose.
 /// - Flips: no triangle that faces against every input triangle that is within the deviation of its centre.
 /// - Targets: StopReason::TargetReached for counts exactly when the count is met; no level goes beyond its target by
 ///   more than its last collapse or, where pieces are gone, the last of those; bounds on deviation and cost are kept.

@@ -28,6 +28,8 @@ VertexBufferView bufferView(const TestBuffer& buffer)
     view.bones = buffer.bones.empty() ? nullptr : buffer.bones.data();
     for (const std::vector<float>& offset : buffer.offsets)
         view.offsets.push_back(floatStream(offset, 3));
+    for (const std::vector<float>& pose : buffer.poses)
+        view.poses.push_back(floatStream(pose, 3));
     view.importance = floatStream(buffer.importance, 1);
     return view;
 }
@@ -428,6 +430,25 @@ TestMesh makeSkinnedTube(std::uint32_t sectors, std::uint32_t stacks)
     return mesh;
 }
 
+TestMesh makeBentTube(std::uint32_t sectors, std::uint32_t stacks, const std::vector<double>& degrees)
+{
+    TestMesh mesh = makeSkinnedTube(sectors, stacks);
+    TestBuffer& buffer = mesh.buffers[0];
+    for (const double angle : degrees) {
+        const double c = std::cos(angle * kPi / 180.0), s = std::sin(angle * kPi / 180.0);
+        std::vector<float> pose;
+        for (std::uint32_t vertex = 0; vertex < buffer.vertexCount(); ++vertex) {
+            const Point p = positionOf(buffer, vertex);
+            const double upper = buffer.bones[vertex].weight[1], y = p[1], z = p[2] - 1.0;
+            pose.push_back(static_cast<float>(p[0]));
+            pose.push_back(static_cast<float>((1.0 - upper) * y + upper * (c * y - s * z)));
+            pose.push_back(static_cast<float>((1.0 - upper) * z + upper * (s * y + c * z) + 1.0));
+        }
+        buffer.poses.push_back(std::move(pose));
+    }
+    return mesh;
+}
+
 TestMesh makeFan(std::uint32_t triangles)
 {
     TestMesh mesh = emptyMesh();
@@ -555,9 +576,10 @@ TestMesh scaled(TestMesh mesh, double factor)
     for (TestBuffer& buffer : mesh.buffers) {
         for (float& component : buffer.positions)
             component = static_cast<float>(component * factor);
-        for (std::vector<float>& offset : buffer.offsets)
-            for (float& component : offset)
-                component = static_cast<float>(component * factor);
+        for (std::vector<std::vector<float>>* streams : {&buffer.offsets, &buffer.poses})
+            for (std::vector<float>& stream : *streams)
+                for (float& component : stream)
+                    component = static_cast<float>(component * factor);
     }
     return mesh;
 }

@@ -19,6 +19,7 @@ struct TestBuffer {
     std::vector<float> colours;              ///< 4 floats a vertex
     std::vector<BoneInfluences> bones;       ///< one entry a vertex
     std::vector<std::vector<float>> offsets; ///< 3 floats a vertex each
+    std::vector<std::vector<float>> poses;   ///< 3 floats a vertex each
     std::vector<float> importance;           ///< 1 float a vertex
 
     std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(positions.size() / 3); }
@@ -85,6 +86,8 @@ TestMesh makeClosedLips(std::uint32_t cells);
 TestMesh makeSkinnedLips(std::uint32_t cells);
 /// A tube around the z axis whose lower half follows bone 0, upper half bone 1, blended around the middle.
 TestMesh makeSkinnedTube(std::uint32_t sectors, std::uint32_t stacks);
+/// The same with a pose for each angle, by which bone 1 is turned about an axis along x through the tube's middle.
+TestMesh makeBentTube(std::uint32_t sectors, std::uint32_t stacks, const std::vector<double>& degrees);
 
 /// `triangles` around one centre, a closed disc in z = 0.
 TestMesh makeFan(std::uint32_t triangles);
@@ -103,7 +106,7 @@ TestMesh makeTwoMaterials(std::uint32_t cells, bool sharedBuffer);
 TestMesh flatShaded(const TestMesh& mesh);
 /// Every submesh of `second` after those of `first`, with buffers of its own.
 TestMesh joined(const TestMesh& first, const TestMesh& second);
-/// Positions (and offsets) times `factor`.
+/// Positions (and offsets and poses) times `factor`.
 TestMesh scaled(TestMesh mesh, double factor);
 TestMesh translated(TestMesh mesh, double x, double y, double z);
 /// Winding turned over; normals stay.

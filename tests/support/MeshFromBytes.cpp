@@ -28,7 +28,7 @@ TestMesh soup(ByteSource& bytes)
 
 TestMesh builtMesh(ByteSource& bytes)
 {
-    const std::uint32_t kind = bytes.below(15);
+    const std::uint32_t kind = bytes.below(16);
     const std::uint32_t size = 1 + bytes.below(5);
     switch (kind) {
     case 0: return makeGrid(size, 1 + bytes.below(5));
@@ -45,6 +45,7 @@ TestMesh builtMesh(ByteSource& bytes)
     case 11: return makeLeafCards(size);
     case 12: return makeTwoMaterials(size, bytes.flag());
     case 13: return makeSkinnedTube(size + 2, 1 + bytes.below(4));
+    case 14: return makeBentTube(size + 2, 1 + bytes.below(4), {90.0 * bytes.coarse(), 150.0 * bytes.coarse()});
     default: return soup(bytes);
     }
 }
@@ -90,6 +91,18 @@ std::vector<float> randomStream(ByteSource& bytes, std::size_t count)
     return values;
 }
 
+/// Everything drawn out or together, and some vertices elsewhere.
+std::vector<float> posed(const TestBuffer& buffer, ByteSource& bytes)
+{
+    std::vector<float> positions = buffer.positions;
+    const float stretch = bytes.coarse() + 1.0f;
+    for (std::size_t i = 0; i < positions.size(); i += 3)
+        positions[i] *= stretch;
+    for (std::uint32_t moved = bytes.below(32); moved > 0 && !positions.empty(); --moved)
+        positions[bytes.byte() % positions.size()] += bytes.coarse();
+    return positions;
+}
+
 void addAttributes(TestBuffer& buffer, ByteSource& bytes)
 {
     const std::uint8_t which = bytes.byte();
@@ -111,6 +124,8 @@ void addAttributes(TestBuffer& buffer, ByteSource& bytes)
             influences.weight[0] = 1.0f;
         }
     }
+    for (std::uint8_t poses = which >> 6; poses > 0; --poses)
+        buffer.poses.push_back(posed(buffer, bytes));
 }
 
 void scaleAll(TestMesh& mesh, ByteSource& bytes)

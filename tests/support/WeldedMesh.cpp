@@ -43,6 +43,18 @@ void appendBones(std::string& key, const VertexBufferView& buffer, std::uint32_t
     }
 }
 
+void appendPoses(std::string& key, const VertexBufferView& buffer, std::uint32_t vertex,
+                 const std::array<float, 3>& rest)
+{
+    key += 'p';
+    for (const FloatStream& stream : buffer.poses) {
+        float posed[3];
+        stream.read(vertex, 3, posed);
+        for (std::size_t i = 0; i < 3; ++i)
+            append(key, posed[i] - rest[i]);
+    }
+}
+
 std::string keyOf(const VertexBufferView& buffer, std::uint32_t vertex, const std::array<float, 3>& position, Weld weld)
 {
     std::string key;
@@ -53,6 +65,8 @@ std::string keyOf(const VertexBufferView& buffer, std::uint32_t vertex, const st
     appendOffsets(key, buffer, vertex);
     if (buffer.bones)
         appendBones(key, buffer, vertex);
+    else if (!buffer.poses.empty())
+        appendPoses(key, buffer, vertex, position);
     return key;
 }
 

@@ -18,7 +18,7 @@ using IndexLists = std::vector<std::vector<std::uint32_t>>; ///< one triangle li
 /// What makes two vertices one.
 enum class Weld {
     Rest,  ///< equal positions; -0 equals +0
-    Motion ///< also equal pose offsets (a missing one is zero) and bone influences
+    Motion ///< also equal pose offsets (a missing one is zero), and bone influences or, without such, motions in poses
 };
 
 /// Names of a mesh's positions, made without any code of the library: welded vertices have one number, over all buffers.

@@ -22,6 +22,10 @@ struct DeviationFigures {
 /// sides the same weight, the maximum is the larger one. Mean and rms come from the area samples, the maximum from them
 /// and all vertices. Every distance is that of two points really there, so a maximum is never too high.
 ///
+/// Where both meshes have equally many poses, `surface` counts each of them like rest: mean and rms are over rest and all poses
+/// alike, the maximum is the largest. Neither triangles with two corners at one position at rest are counted, nor poses in which
+/// either mesh has no triangle left. All else is at rest.
+///
 /// Where several triangles meet at the closest point (an edge, a corner, the two sides of a wall), attributes are
 /// compared with those facing the same way as the sample, and among them with the nearest normal and the nearest UV: a
 /// seam is no deviation from itself. Where the closest point is beyond a UV seam by a hair, because the surface it lies
@@ -59,10 +63,11 @@ struct Deviation {
     /// Same three positions as an earlier triangle of the same submesh and winding.
     std::uint32_t repeatedTriangles = 0;
     std::uint32_t degenerateTriangles = 0; ///< two corners at one position
+    std::uint32_t poses = 0;               ///< that `surface` counts besides rest
 };
 
 struct DeviationOptions {
-    std::uint32_t samples = 100000; ///< points on each surface, besides all vertices; >= 1
+    std::uint32_t samples = 100000; ///< points on each surface, at rest and in each pose, besides all vertices; >= 1
     std::uint32_t seed = 1;         ///< of the sampling; the same seed gives the same figures
 };
 

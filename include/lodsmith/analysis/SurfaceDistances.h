@@ -11,7 +11,8 @@ namespace lodsmith {
 
 /// How far each vertex of a mesh is from another mesh's surface, as a heat map shows it: for each vertex buffer of `from`, in
 /// the order of MeshView::vertexBuffers, one distance a vertex in world units, to the closest point of all triangles of `to`
-/// (by Embree). Vertices that no triangle of `from` uses have 0. But for rounding to float, none is greater than
+/// (by Embree). Where both meshes have equally many poses, it is the largest over rest and all poses (but for those in which `to`
+/// has no triangle left). Vertices that no triangle of `from` uses have 0. But for rounding to float, none is greater than
 /// the maximum of measureDeviation().
 ///
 /// Errors: IndexOutOfRange, InvalidGeometry (a referenced position is not finite), with submesh and index or vertex;

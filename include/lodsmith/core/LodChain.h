@@ -19,8 +19,10 @@ struct LodChainLevel {
     std::vector<std::vector<std::uint32_t>> indices;
     std::uint32_t vertices = 0;  ///< referenced positions after welding
     std::uint32_t triangles = 0; ///< over all submeshes
-    /// World units; no point of this level is farther from the original surface than this, nor the other way round. Includes a
-    /// ten-millionth of the radius for rounding, which a Deviation target does not count.
+    /// World units; no point of this level is farther from the original surface than this, nor the other way round, at rest
+    /// or in a pose of the mesh (CleaningReport's triangles set aside). Includes a ten-millionth of the radius (in the pose
+    /// where it is largest) for rounding, and how far vertices that count as one are apart in poses; a Deviation target
+    /// counts neither.
     double deviation = 0.0;
     /// World units: the dearest collapse so far, as a length (CollapseCost in LevelTarget).
     double cost = 0.0;

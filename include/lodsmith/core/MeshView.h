@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -44,6 +45,9 @@ struct VertexBufferView {
     FloatStream colours;                   ///< 4 floats r, g, b, a, 0..1; null for none
     const BoneInfluences* bones = nullptr; ///< vertexCount entries; null for none
     std::vector<FloatStream> offsets; ///< 3 floats each: how far a pose or morph frame moves the vertex, world units
+    /// 3 floats each: where animation takes the vertex, world units; null where it stays at rest. Pose i is the same moment
+    /// in every buffer. A buffer that has fewer poses than another is at rest in those that it lacks.
+    std::vector<FloatStream> poses;
     FloatStream importance; ///< 1 float, 0..1: deviation counts 1/(1-x) times as much here; 1 locks the vertex
 };
 
@@ -66,5 +70,31 @@ struct MeshView {
     std::vector<VertexBufferView> vertexBuffers;
     std::vector<SubMeshView> subMeshes;
 };
+
+/// How many poses a mesh has besides rest.
+inline std::size_t poseCount(const MeshView& mesh)
+{
+    std::size_t count = 0;
+    for (const VertexBufferView& buffer : mesh.vertexBuffers)
+        count = std::max(count, buffer.poses.size());
+    return count;
+}
+
+/// A buffer's positions in a pose, which may be one that it does not have.
+inline const FloatStream& positionsInPose(const VertexBufferView& buffer, std::size_t pose)
+{
+    return pose < buffer.poses.size() && buffer.poses[pose] ? buffer.poses[pose] : buffer.positions;
+}
+
+/// The mesh as it stands in a pose, as if that were rest: it has no poses itself. Shares the memory that `mesh` views.
+inline MeshView inPose(const MeshView& mesh, std::size_t pose)
+{
+    MeshView posed = mesh;
+    for (VertexBufferView& buffer : posed.vertexBuffers) {
+        buffer.positions = positionsInPose(buffer, pose);
+        buffer.poses.clear();
+    }
+    return posed;
+}
 
 } // namespace lodsmith

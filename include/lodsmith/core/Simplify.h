@@ -28,7 +28,8 @@ struct LevelTarget {
 enum class Metric {
     /// Squared distance to the planes around the removed vertex, weighted by area and without memory of earlier levels
     /// (Garland and Heckbert 1997; Lindstrom and Turk 1998), with wedge attributes in the same sum (Hoppe 1999).
-    /// As a length: sqrt(cost / weight), the weight being the areas and a share of the mean triangle's.
+    /// Of a mesh with poses, the mean over rest and all poses. As a length: sqrt(cost / weight), the weight being the areas and a
+    /// share of the mean triangle's.
     Quadric,
     /// The metric of 2012: edge length times how much the surface bends along it. A length in itself; see docs/simplifier.md.
     Curvature,
@@ -57,12 +58,13 @@ struct SimplifyOptions {
 /// The vertex buffers stay as they are: a level is a set of index lists into them. All wedges of a position move
 /// together, so the levels have no cracks; no level has a degenerate or doubled triangle, a hole or a non-manifold edge
 /// that the input did not have, and no triangle turns by more than 78 degrees in one collapse, or against the surface
-/// that the input has at its corners. Small pieces that hang together with nothing else vanish whole, all but the last; a
+/// that the input has at its corners; nor by that much at once in a pose that has not folded it before. Small pieces that hang
+/// together with nothing else vanish whole, all but the last; a
 /// target of a count is passed by one of them only where nothing else is left. A target that cannot be reached is no
 /// error: the level holds what could be done and says why it stopped.
 ///
 /// Errors: InvalidSetting (a target or weight out of range or not a number), InvalidGeometry (a referenced position or
-/// attribute is not finite, a position is beyond +-1e18, an importance outside 0..1), IndexOutOfRange, Cancelled,
+/// attribute is not finite, a position is beyond +-1e18, a pose is more than 100 million times as large as rest, an importance outside 0..1), IndexOutOfRange, Cancelled,
 /// OutOfMemory; with submesh and index where there is one.
 /// Deterministic: the same input gives the same bytes on every run, compiler and optimisation level.
 /// Thread-safe for different meshes, and for one mesh that nobody changes; throws nothing.

@@ -31,11 +31,13 @@ private:
 class LODSMITH_API LevelReader {
 public:
     /// MeshReader::read(), for several levels to share.
-    static Result<std::shared_ptr<const MeshData>> readLevelZero(const Ogre::Mesh& mesh);
+    /// @param poses as for MeshReader::read()
+    static Result<std::shared_ptr<const MeshData>> readLevelZero(const Ogre::Mesh& mesh,
+                                                                 const std::vector<PoseMoment>* poses = nullptr);
 
     /// Level 0 is `levelZero` itself. A generated level is the vertex buffers of `levelZero` with the level's own triangles,
     /// copied at the width of their buffer, without the triangle without area that stands for an empty list. A hand-made level
-    /// is level 0 of the other mesh, which OGRE loads if it is not, and has vertex buffers and submeshes of its own.
+    /// is level 0 of the other mesh in the same poses, which OGRE loads if it is not, and has vertex buffers and submeshes of its own.
     ///
     /// Errors: InvalidSetting (no such level), NotFound (the mesh of a hand-made level), InvalidGeometry (the mesh has not
     /// the submeshes that `levelZero` has, so it has changed), IndexOutOfRange, Unsupported (a submesh without that level, a

@@ -12,9 +12,27 @@
 
 namespace lodsmith {
 
+/// A moment in which a mesh is looked at.
+struct PoseMoment {
+    enum class Kind {
+        Skeleton, ///< of an animation of the skeleton, or of one that it is linked to
+        Morph,    ///< of a morph animation of the mesh: a key frame
+        Pose,     ///< a pose of the mesh, at full influence
+    };
+    Kind kind = Kind::Skeleton;
+    std::string name;     ///< of the animation or pose
+    float seconds = 0.0f; ///< since the animation's beginning; 0 for a pose
+};
+
+inline bool operator==(const PoseMoment& a, const PoseMoment& b)
+{
+    return a.kind == b.kind && a.name == b.name && a.seconds == b.seconds;
+}
+
 /// A copy of an OGRE mesh's level 0 in plain arrays, ready for any thread. Owns everything that view() shows: for each
 /// vertex 12 bytes of position and of normal, 4 for each texture coordinate, 16 of colour, 24 of bones, 12 for each pose
-/// or morph frame and 4 of importance, as far as there are such; indices at the width of their buffer. Can be moved, not copied.
+/// or morph frame, 12 for each pose that is shown (poses()) and 4 of importance, as far as there are such; indices at the width
+/// of their buffer. Can be moved, not copied.
 class LODSMITH_API MeshData {
 public:
     /// The arrays stay where they are when this object is moved; the MeshView itself moves with it.
@@ -26,6 +44,9 @@ public:
     /// For each OGRE submesh the number of its SubMeshView in view(), or -1 when it was left alone (see notes()).
     const std::vector<int>& subMeshOf() const { return mSubMeshOf; }
 
+    /// The moments that the poses in view() show, in their order.
+    const std::vector<PoseMoment>& poses() const { return mPoses; }
+
     /// One sentence for each thing that was left alone or converted: "submesh 2: a line list, left as it is".
     const std::vector<std::string>& notes() const { return mNotes; }
 
@@ -34,6 +55,7 @@ private:
     std::vector<std::unique_ptr<unsigned char[]>> mBlocks;
     MeshView mView;
     std::vector<int> mSubMeshOf;
+    std::vector<PoseMoment> mPoses;
     std::vector<std::string> mNotes;
 };
 
@@ -42,7 +64,9 @@ private:
 /// Reads level 0: shared and own vertex data, vertexStart and vertexCount (a buffer that prepareForShadowVolume() has doubled
 /// is read once), 16- and 32-bit indices, indexStart and indexCount, strips and fans (as lists of the same winding), every
 /// number type OGRE has for positions, normals, texture coordinates and colours, bone assignments (the four heaviest a
-/// vertex, made to sum to 1), pose offsets, and morph frames as offsets from the rest position. Submeshes of points or lines
+/// vertex, made to sum to 1), pose offsets, and morph frames as offsets from the rest position. With them it gives positions at
+/// up to four moments of the skeleton's animations and up to four poses and morph frames: those most unlike rest and one
+/// another, in how surfaces bend and stretch, of at most 128 key frames and moments halfway between two. Submeshes of points or lines
 /// and those without indices are left alone and noted. Numbers are copied as they are, whether finite or not.
 ///
 /// Each buffer is locked once, for reading. Buffers in system memory (all of them without a render system) and those
@@ -57,7 +81,10 @@ public:
     ///
     /// @param subMeshImportance as LodConfig::subMeshImportance; numbers out of range are misuse. Vertex buffers that no
     ///                          important submesh uses get no importance.
-    static Result<MeshData> read(const Ogre::Mesh& mesh, const std::vector<float>& subMeshImportance = {});
+    /// @param poses             moments to read the mesh in, such as those of another mesh that it is to be compared with;
+    ///                          if one of them cannot be shown, there are no poses. Null to have moments chosen.
+    static Result<MeshData> read(const Ogre::Mesh& mesh, const std::vector<float>& subMeshImportance = {},
+                                 const std::vector<PoseMoment>* poses = nullptr);
 };
 
 } // namespace lodsmith
