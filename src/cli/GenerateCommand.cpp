@@ -34,7 +34,7 @@ A definition beside a mesh (tree.loddef beside tree.mesh) says what levels that 
 
 Examples:
   lodsmith generate tree.mesh -o tree-lod.mesh
-      as tree.loddef says; without one automatic levels (four, by pixel count)
+      as tree.loddef says; without one automatic levels, which are off by at most a pixel
   lodsmith generate tree.mesh -o out/ --levels 20:proportional:0.5,60:proportional:0.75
       half of the vertices from distance 20 on, a quarter from 60
   lodsmith generate models -o out --json > report.jsonl
@@ -164,7 +164,8 @@ void resolveDefinition(GenerateArguments& arguments)
 
 void checkWeights(const GenerateArguments& arguments)
 {
-    const Metric usual = arguments.levels ? Metric::Quadric : Metric::Curvature;
+    const bool isClassic = arguments.settings.automatic.method == AutomaticLods::Method::Classic;
+    const Metric usual = isClassic ? Metric::Curvature : Metric::Quadric;
     if (arguments.weighted && arguments.settings.metric.value_or(usual) == Metric::Curvature)
         throw UsageError("attribute weights count under the quadric metric alone: add --metric quadric");
 }
@@ -249,6 +250,8 @@ void resolveLimits(GenerateArguments& arguments)
 
 void resolve(GenerateArguments& arguments, const CLI::App& command)
 {
+    if (arguments.levels && (command.count("--automatic") > 0 || command.count("--pixels") > 0))
+        throw UsageError("--automatic and --pixels say what automatic levels are like: they do not go with --levels");
     resolveDefinition(arguments);
     checkWeights(arguments);
     if (!holdsLevels(arguments.settings.write.format.version))
@@ -310,7 +313,7 @@ int runGenerate(GenerateArguments& arguments, const CLI::App& command)
 void addSimplifierOptions(CLI::App& command, GenerateArguments& arguments)
 {
     addParsedOption(command, "--metric",
-                    "What a collapse costs: quadric or curvature [quadric; curvature for automatic levels]",
+                    "What a collapse costs: quadric or curvature [quadric; curvature with --automatic classic]",
                     [&arguments](const std::string& word) -> Result<Done> {
                         const Result<Metric> metric = parseMetric(word);
                         if (!metric)
@@ -336,6 +339,23 @@ void addSimplifierOptions(CLI::App& command, GenerateArguments& arguments)
     addWeight("--bone-weight", weights.bone, "How much bone weights count");
     command.add_flag("--lock-borders", arguments.settings.lockBorders, "Leave vertices on borders alone");
     command.add_flag("--lock-seams", arguments.settings.lockSeams, "Leave vertices on seams alone");
+}
+
+void addAutomaticOptions(CLI::App& command, GenerateArguments& arguments)
+{
+    AutomaticLods& automatic = arguments.settings.automatic;
+    addParsedOption(
+        command, "--automatic", "What automatic levels are like: balanced or classic [balanced]",
+        [&automatic](const std::string& word) -> Result<Done> {
+            if (word != "balanced" && word != "classic")
+                return Error{ErrorCode::InvalidSetting, "has to be balanced or classic, not '" + word + "'"};
+            automatic.method = word == "classic" ? AutomaticLods::Method::Classic : AutomaticLods::Method::Balanced;
+            return Done{};
+        })
+        ->type_name("METHOD");
+    addNumberOption(command, "--pixels", automatic.pixels, AutomaticLods::kMinPixels, AutomaticLods::kMaxPixels,
+                    "How far off automatic levels may be when they appear, in pixels [1]")
+        ->type_name("PIXELS");
 }
 
 void addLevelOptions(CLI::App& command, GenerateArguments& arguments)
@@ -373,9 +393,10 @@ void addRunOptions(CLI::App& command, GenerateArguments& arguments)
     addCountOption(command, "--repeat", arguments.settings.repeat, 1, 100000,
                    "Generate N times, for the times reported [1]")
         ->type_name("N");
-    addCountOption(command, "-j,--jobs", arguments.jobs, 1, 1024,
-                   "Work on N files at a time, on few large ones with as many threads [as many as there are processors; "
-                   "with --repeat 1]")
+    addCountOption(
+        command, "-j,--jobs", arguments.jobs, 1, 1024,
+        "Work on N files at a time, on few large ones with as many threads [as many as there are processors; "
+        "with --repeat 1]")
         ->type_name("N");
     addCountOption(command, "--memory", arguments.memoryMib, 1, 1U << 30,
                    "Memory for all of them, by estimate [three quarters of what is free]")
@@ -418,6 +439,7 @@ void addGenerateCommand(CLI::App& app, int& exitCode)
         ->required()
         ->type_name("OUT");
     addLevelOptions(*command, *arguments);
+    addAutomaticOptions(*command, *arguments);
     addSimplifierOptions(*command, *arguments);
     addRunOptions(*command, *arguments);
     command->footer(kExamples);

@@ -90,7 +90,7 @@ private:
             return definition.error();
         if (auto found = nameHandMade(definition.value(), path); !found)
             return found;
-        Result<DefinedLodConfig> defined = lodConfig(definition.value(), mMesh, path.string());
+        Result<DefinedLodConfig> defined = lodConfig(definition.value(), mMesh, path.string(), mSettings.automatic);
         if (!defined)
             return defined.error();
         if (!defined.value().leftOut.empty())

@@ -12,6 +12,7 @@ _lodsmith() {
     case $before in
     --strategy) options="distance pixelcount" ;;
     --metric) options="quadric curvature" ;;
+    --automatic) options="balanced classic" ;;
     --preset) options="seed viewer honest" ;;
     --sizes) options="raw zlib" ;;
     --mesh-version) options="1.0 1.4 1.41 1.8 1.10" ;;
@@ -24,7 +25,7 @@ _lodsmith() {
     if [[ -z $options && $word == -* ]]; then
         case ${COMP_WORDS[1]} in
         generate)
-            options="$write --levels --strategy --loddef --no-loddef --metric --normal-weight --uv-weight --colour-weight"
+            options="$write --levels --automatic --pixels --strategy --loddef --no-loddef --metric --normal-weight --uv-weight --colour-weight"
             options+=" --bone-weight --lock-borders --lock-seams --share-buffers --separate-meshes --repeat --jobs --memory --shard"
             options+=" --cache --json"
             ;;

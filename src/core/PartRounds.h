@@ -30,7 +30,7 @@ public:
     {
     }
 
-    /// Whether a mesh is large enough for this.
+    /// Whether a mesh is large enough for this, and has no poses, which parts do not carry.
     static bool isFor(const CollapseMesh& mesh);
 
     /// Simplifier::prepare(), in parts.

@@ -59,7 +59,7 @@ void Simplifier::fillQueue()
             mStalled.push_back(v);
     }
     if (mOutcome.heldByScope)
-        requeueStalled();
+        requeueStalled(0.0f);
     mOutcome.heldByScope = false;
 }
 
@@ -69,10 +69,11 @@ void Simplifier::clearQueue()
     std::vector<std::uint32_t>().swap(mStalled);
 }
 
-/// Sets aside a vertex that can neither be collapsed nor vanish.
-void Simplifier::stall(std::uint32_t vertex)
+/// Sets aside a vertex that can neither be collapsed nor vanish, until the deviation may be as large as this.
+void Simplifier::stall(std::uint32_t vertex, double needed)
 {
     mStates.flags[vertex] = Flag::kStalled;
+    mStates.entries[vertex].cost = static_cast<float>(needed);
     mStalled.push_back(vertex);
 }
 
@@ -98,20 +99,26 @@ bool Simplifier::reached(const CollapseLimits& limits) const
 }
 
 /// (A change among a vertex's neighbours queues it anyway.)
-void Simplifier::forgetLimits()
+void Simplifier::changeLimits(const CollapseLimits& limits)
 {
-    if (mOutcome.heldByLimit || mOutcome.heldBySize)
-        requeueStalled();
+    const bool held = mOutcome.heldByLimit || mOutcome.heldBySize;
     mOutcome.heldByLimit = mOutcome.heldBySize = mMayOvershoot = false;
+    if (held)
+        requeueStalled(static_cast<float>(limits.deviation));
 }
 
-void Simplifier::requeueStalled()
+void Simplifier::requeueStalled(float deviation)
 {
     std::vector<std::uint32_t> stalled;
     stalled.swap(mStalled);
     for (std::uint32_t v : stalled) {
         if (!(mStates.flags[v] & Flag::kStalled) || !mMesh.isAlive(v))
             continue;
+        if (const float needed = mStates.entries[v].cost; needed > deviation) {
+            mOutcome.heldByLimit |= std::isfinite(needed);
+            mStalled.push_back(v);
+            continue;
+        }
         mStates.flags[v] = Flag::kStale;
         insert(v, 0.0f);
     }
@@ -122,7 +129,7 @@ bool Simplifier::mayOvershoot()
 {
     if (!mOutcome.heldBySize)
         return false;
-    requeueStalled();
+    requeueStalled(0.0f);
     mOutcome.heldBySize = false;
     mMayOvershoot = true;
     return true;
@@ -156,8 +163,9 @@ void Simplifier::advance(const CollapseLimits& limits)
         return;
     mStates.flags[v] &= static_cast<std::uint8_t>(~Flag::kQueued);
     mFrontCost = front.cost;
+    mNeeded = std::numeric_limits<double>::infinity();
     if (!mRing.build(mMesh, v)) {
-        stall(v);
+        stall(v, mNeeded);
         return;
     }
     const bool stale = mStates.flags[v] & Flag::kStale;
@@ -250,8 +258,9 @@ void Simplifier::removePiece(const CollapseLimits& limits)
     const std::uint32_t v = mRing.vertex;
     const bool isPiece = !neighbourStandsForPiece() && mPieces.find(mRing);
     if (!isPiece || isPieceLocked() || exceedsScope()) {
-        mOutcome.heldByScope |= exceedsScope();
-        stall(v);
+        const bool waits = exceedsScope();
+        mOutcome.heldByScope |= waits;
+        stall(v, waits ? 0.0 : mNeeded);
         return;
     }
     const double length = mPieces.distance() / (1.0 - importanceOfPiece());
@@ -260,12 +269,12 @@ void Simplifier::removePiece(const CollapseLimits& limits)
     if (mPieces.deviation() > limits.deviation || length > limits.length) {
         // In a part the nearest face may be farther away than it is in the whole.
         (mScope.isWhole() ? mOutcome.heldByLimit : mOutcome.heldByScope) = true;
-        stall(v);
+        stall(v, mScope.isWhole() && length <= limits.length ? std::min(mNeeded, mPieces.deviation()) : 0.0);
     } else if (!isFront(cost)) {
         enqueue(v, v, cost);
     } else if (overshoots(limits) && !mMayOvershoot) {
         (mScope.isWhole() ? mOutcome.heldBySize : mOutcome.heldByScope) = true;
-        stall(v);
+        stall(v, 0.0);
     } else {
         mPieces.remove();
         mOutcome.largestDeviation = std::max(mOutcome.largestDeviation, mPieces.deviation());
@@ -292,9 +301,11 @@ bool Simplifier::withinLimits(const CollapseLimits& limits, const Candidate& can
 {
     mPatchDeviation.evaluate(mRing, mMesh, static_cast<std::uint32_t>(candidate.neighbour));
     mLength = mCost->lengthOf(candidate.cost, mMesh, mRing);
-    const bool within = mPatchDeviation.largest() <= limits.deviation && mLength <= limits.length;
-    mOutcome.heldByLimit |= !within;
-    return within;
+    if (mPatchDeviation.largest() <= limits.deviation && mLength <= limits.length)
+        return true;
+    mOutcome.heldByLimit = true;
+    mNeeded = mLength <= limits.length ? std::min(mNeeded, mPatchDeviation.largest()) : 0.0;
+    return false;
 }
 
 void Simplifier::collapse(const Candidate& candidate)

@@ -69,8 +69,9 @@ public:
     /// Gives the queue's memory back.
     void clearQueue();
 
-    /// Lets vertices whose collapses the last limits forbade be looked at again; to be called before a run with new ones.
-    void forgetLimits();
+    /// Lets vertices whose collapses the last limits forbade be looked at again, where the new ones may allow them; to be
+    /// called before a run with these.
+    void changeLimits(const CollapseLimits& limits);
 
     /// Continues until the limits are met or nothing is left to collapse. `step` is called now and then; false stops.
     template <class Step>
@@ -101,12 +102,12 @@ private:
 
     void prepare(std::uint32_t vertex, const VertexLocks& locks);
     bool reached(const CollapseLimits& limits) const;
-    void requeueStalled();
+    void requeueStalled(float deviation);
     bool mayOvershoot();
     bool overshoots(const CollapseLimits& limits) const;
     void advance(const CollapseLimits& limits);
     void prefetchAhead() const;
-    void stall(std::uint32_t vertex);
+    void stall(std::uint32_t vertex, double needed);
     void enqueue(std::uint32_t vertex, std::uint32_t target, float cost);
     void insert(std::uint32_t vertex, float cost);
     void enqueue(const Candidate& candidate)
@@ -146,6 +147,7 @@ private:
     CollapseOutcome mOutcome;
     float mFrontCost = 0.0f;    ///< of the entry looked at last
     double mLength = 0.0;       ///< the candidate's cost as a length
+    double mNeeded = 0.0;       ///< bound on deviation under which the vertex in front could go, infinite for none
     bool mMayOvershoot = false; ///< a piece larger than what is left to take away goes all the same: nothing else can
 };
 

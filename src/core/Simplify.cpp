@@ -163,7 +163,7 @@ Result<LodChain> run(const MeshView& view, const std::vector<LevelTarget>& targe
     for (const LevelTarget& target : targets) {
         LodChainLevel level;
         const CollapseLimits limits = limitsOf(target, mesh);
-        simplifier.forgetLimits();
+        simplifier.changeLimits(limits);
         if (rounds)
             rounds->run(limits, simplifier);
         if (isCancelled(progress)) // and the mesh is not ready for more
