@@ -239,8 +239,8 @@ Result<GeneratedMesh> generateMesh(const GenerateSettings& settings, const Plann
         return report.error();
 
     const Stopwatch treating;
-    const Result<FoliageReport> foliage = treatFoliage(plan.value(), report.value(), file.output, settings.write.format,
-                                                       settings.separateMeshes, progress);
+    const Result<FoliageReport> foliage =
+        treatFoliage(plan.value(), report.value(), file, settings.write.format, settings.separateMeshes, progress);
     const double foliageMs = treating.milliseconds();
     if (!foliage)
         return foliage.error();
@@ -269,9 +269,8 @@ Json failedRecord(const PlannedFile& file, const Error& error)
     for (const char* member : {"vertices", "buffer_vertices", "triangles", "radius", "loddef"})
         record[member] = nullptr;
     record["levels"] = Json::array();
-    for (const char* member :
-         {"up_to_date", "cached", "read_ms", "generate_ms", "generate_min_ms", "order_ms", "foliage_ms", "write_ms",
-          "peak_kb"})
+    for (const char* member : {"up_to_date", "cached", "read_ms", "generate_ms", "generate_min_ms", "order_ms",
+                               "foliage_ms", "write_ms", "peak_kb"})
         record[member] = nullptr;
     setError(record, error);
     return record;

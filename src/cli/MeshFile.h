@@ -36,7 +36,7 @@ Result<std::string> meshBytes(const Ogre::Mesh& mesh, const MeshFormat& format);
 
 /// A file that goes along with a mesh: the copy of another one, or new.
 struct Companion {
-    std::filesystem::path source; ///< not used where there is `content`
+    std::filesystem::path source; ///< what it is a copy of, or where there is `content` was made of
     std::string name;             ///< relative to the mesh's directory, as the mesh names it
     std::optional<std::string> content = std::nullopt;
 };

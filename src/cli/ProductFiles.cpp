@@ -64,7 +64,7 @@ Result<std::unique_ptr<AtomicFile>> prepared(const fs::path& target, std::string
 
 Result<Copy> prepareCopy(const Companion& companion, const fs::path& target, bool force)
 {
-    Result<std::string> content = readFile(companion.source);
+    Result<std::string> content = companion.content ? *companion.content : readFile(companion.source);
     if (!content)
         return content.error();
     Copy copy{companion.source, target, std::move(content).value(), nullptr};

@@ -28,9 +28,9 @@ std::string percent(double share)
 
 class FoliageTreatment {
 public:
-    FoliageTreatment(const MeshPlan& plan, const LodReport& report, const std::filesystem::path& output,
-                     const MeshFormat& format, Progress& progress)
-        : mPlan(plan), mMesh(*plan.config.mesh), mReport(report), mOutput(output), mFormat(format), mProgress(progress)
+    FoliageTreatment(const MeshPlan& plan, const LodReport& report, const PlannedFile& file, const MeshFormat& format,
+                     Progress& progress)
+        : mPlan(plan), mMesh(*plan.config.mesh), mReport(report), mFile(file), mFormat(format), mProgress(progress)
     {
     }
 
@@ -135,7 +135,7 @@ private:
         const Result<MeshStatistics> statistics = meshStatistics(view);
         if (!statistics)
             return statistics.error();
-        const std::string name = separateName(mOutput, shownNumber(number));
+        const std::string name = separateName(mFile.output, shownNumber(number));
         if (mPlan.handMade.count(name) > 0)
             return Error{ErrorCode::InvalidSetting, "level " + std::to_string(shownNumber(number)) + " would be '"
                                                         + name
@@ -158,14 +158,14 @@ private:
         Result<std::string> bytes = meshBytes(*mesh.value(), mFormat);
         if (!bytes)
             return bytes.error();
-        mTreated.files.push_back({{}, name, std::move(bytes).value()});
+        mTreated.files.push_back({mFile.input, name, std::move(bytes).value()});
         return replaceLevel(mMesh, mStored[number], mesh.value());
     }
 
     const MeshPlan& mPlan;
     Ogre::Mesh& mMesh;
     const LodReport& mReport;
-    const std::filesystem::path& mOutput;
+    const PlannedFile& mFile;
     const MeshFormat& mFormat;
     Progress& mProgress;
     std::shared_ptr<const MeshData> mData;
@@ -193,12 +193,12 @@ std::string stemOfSeparate(const std::filesystem::path& file)
     return isNumber ? name.substr(0, mark) : std::string();
 }
 
-Result<FoliageReport> treatFoliage(const MeshPlan& plan, const LodReport& report, const std::filesystem::path& output,
+Result<FoliageReport> treatFoliage(const MeshPlan& plan, const LodReport& report, const PlannedFile& file,
                                    const MeshFormat& format, bool permitted, Progress& progress)
 {
     if (!permitted && report.vertices < kVerticesPerTriangle * report.triangles)
         return FoliageReport{};
-    return FoliageTreatment(plan, report, output, format, progress).treat(permitted);
+    return FoliageTreatment(plan, report, file, format, progress).treat(permitted);
 }
 
 } // namespace lodsmith::cli

@@ -2,6 +2,7 @@
 
 #include "MeshFile.h"
 #include "MeshPlan.h"
+#include "OutputPlan.h"
 
 #include <lodsmith/core/Result.h>
 #include <lodsmith/ogre/ProgressiveMeshGenerator.h>
@@ -44,7 +45,7 @@ std::string stemOfSeparate(const std::filesystem::path& file);
 /// name).
 ///
 /// @param plan with levels as they have been generated on plan.config.mesh
-Result<FoliageReport> treatFoliage(const MeshPlan& plan, const LodReport& report, const std::filesystem::path& output,
+Result<FoliageReport> treatFoliage(const MeshPlan& plan, const LodReport& report, const PlannedFile& file,
                                    const MeshFormat& format, bool permitted, Progress& progress);
 
 } // namespace lodsmith::cli

@@ -81,7 +81,7 @@ TEST(EntryCodec, isLittleEndianWithTheHeadThatIsDocumented)
     const std::string entry = encodeEntry(sampleKey(0x04030201), LodChain());
     ASSERT_EQ(entry.size(), kHeadBytes + 36 + 8);
     EXPECT_EQ(entry.substr(0, 8), "lodchain");
-    EXPECT_EQ(entry.substr(8, 4), std::string("\1\0\0\0", 4));
+    EXPECT_EQ(entry.substr(8, 4), std::string("\2\0\0\0", 4));
     EXPECT_EQ(entry.substr(12, 8), std::string("\x50\0\0\0\0\0\0\0", 8));
     EXPECT_EQ(entry.substr(20, 4), "\1\2\3\4");
     EXPECT_EQ(entry[35], '\xf0');

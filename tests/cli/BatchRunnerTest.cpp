@@ -151,18 +151,21 @@ TEST(BatchRunner, whatIsKnownIsAskedWhenItsTurnComes)
 
 namespace {
 
-/// How many of the jobs before it still ran when each began, with some memory for all.
-std::vector<std::string> neighboursOf(const std::vector<std::uint64_t>& inputs, std::uint64_t memory)
+/// How many of the jobs before it still ran when each began, with some memory for all. A job waits until all have begun, but
+/// no longer than `patience` milliseconds.
+std::vector<std::string> neighboursOf(const std::vector<std::uint64_t>& inputs, std::uint64_t memory, int patience)
 {
-    const lodsmith::test::TestDirectory directory;
+    const lodsmith::test::TestDirectory running, begun;
     std::vector<BatchJob> jobs;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-        jobs.push_back(job("x", [&directory, i](Progress&) -> Result<Json> {
+        jobs.push_back(job("x", [&, i](Progress&) -> Result<Json> {
             const std::string name = std::to_string(i);
-            const Json neighbours(directory.files().size());
-            directory.write(name, "");
-            ::usleep(400000);
-            std::filesystem::remove(directory / name);
+            const Json neighbours(running.files().size());
+            running.write(name, "");
+            begun.write(name, "");
+            for (int waited = 0; waited < patience && begun.files().size() < inputs.size(); waited += 10)
+                ::usleep(10000);
+            std::filesystem::remove(running / name);
             return neighbours;
         }));
         jobs.back().inputBytes = inputs[i];
@@ -176,18 +179,18 @@ TEST(BatchRunner, whatDoesNotFitBesideTheOthersWaits)
 {
     constexpr std::uint64_t kSmall = 1000, kLarge = 1000000000;
     const std::uint64_t small = BatchRunner::memoryNeed(kSmall), large = BatchRunner::memoryNeed(kLarge);
-    EXPECT_THAT(neighboursOf({kLarge, kLarge}, large + small), ElementsAre("0", "0"));
-    EXPECT_THAT(neighboursOf({kLarge, kSmall, kLarge}, large + small), ElementsAre("0", testing::_, "0"))
+    EXPECT_THAT(neighboursOf({kLarge, kLarge}, large + small, 400), ElementsAre("0", "0"));
+    EXPECT_THAT(neighboursOf({kLarge, kSmall, kLarge}, large + small, 400), ElementsAre("0", testing::_, "0"))
         << "nor does what comes behind overtake it";
-    EXPECT_THAT(neighboursOf({kLarge, kLarge}, 1), ElementsAre("0", "0")) << "what fits nowhere runs alone";
+    EXPECT_THAT(neighboursOf({kLarge, kLarge}, 1, 400), ElementsAre("0", "0")) << "what fits nowhere runs alone";
 }
 
 TEST(BatchRunner, whatFitsRunsAtATime)
 {
     const std::uint64_t need = BatchRunner::memoryNeed(1000);
-    const auto neighbours = neighboursOf({1000, 1000, 1000}, 3 * need);
+    const auto neighbours = neighboursOf({1000, 1000, 1000}, 3 * need, 10000);
     EXPECT_THAT(neighbours, testing::Contains("2"));
-    EXPECT_THAT(neighboursOf({1000, 1000, 1000}, 0), testing::Contains("2")) << "no bound";
+    EXPECT_THAT(neighboursOf({1000, 1000, 1000}, 0, 10000), testing::Contains("2")) << "no bound";
 }
 
 TEST(BatchRunner, whatADeadChildLeftIsSwept)

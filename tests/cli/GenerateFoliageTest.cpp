@@ -56,7 +56,7 @@ protected:
 TEST_F(GenerateFoliageTest, isLeftAloneAndNotedWithoutPermission)
 {
     const json record = this->record("in/tree.mesh", "out/tree.mesh", {});
-    EXPECT_THAT(mDirectory.files(), ElementsAre("in/tree.mesh", "out/tree.mesh"));
+    EXPECT_THAT(mDirectory.files(), ElementsAre("in/tree.mesh", "out/.lodsmith/tree.mesh.json", "out/tree.mesh"));
     EXPECT_TRUE(record["levels"][0]["coverage"].is_null());
     EXPECT_GT(record["levels"][1]["coverage"], 0.95);
     EXPECT_LT(record["levels"][2]["coverage"], 0.95);
@@ -72,8 +72,10 @@ TEST_F(GenerateFoliageTest, becomesMeshesOfItsOwnWherePermitted)
 {
     const json thin = record("in/tree.mesh", "thin/tree.mesh", {});
     const json record = this->record("in/tree.mesh", "out/tree.mesh", {"--separate-meshes"});
-    EXPECT_THAT(mDirectory.files(), ElementsAre("in/tree.mesh", "out/tree.lod2.mesh", "out/tree.lod3.mesh",
-                                                "out/tree.mesh", "thin/tree.mesh"));
+    EXPECT_THAT(mDirectory.files(),
+                ElementsAre("in/tree.mesh", "out/.lodsmith/tree.lod2.mesh.json", "out/.lodsmith/tree.lod3.mesh.json",
+                            "out/.lodsmith/tree.mesh.json", "out/tree.lod2.mesh", "out/tree.lod3.mesh", "out/tree.mesh",
+                            "thin/.lodsmith/tree.mesh.json", "thin/tree.mesh"));
     EXPECT_EQ(record["levels"][1], thin["levels"][1]) << "it covers enough";
     for (const std::size_t i : {2, 3}) {
         SCOPED_TRACE(i);
@@ -135,7 +137,8 @@ TEST_F(GenerateFoliageTest, isNothingToMeshesWithout)
 {
     mDirectory.write("in/torus.mesh", torusMesh(16));
     const json record = this->record("in/torus.mesh", "out/torus.mesh", {"--separate-meshes"});
-    EXPECT_THAT(mDirectory.files(), ElementsAre("in/torus.mesh", "in/tree.mesh", "out/torus.mesh"));
+    EXPECT_THAT(mDirectory.files(),
+                ElementsAre("in/torus.mesh", "in/tree.mesh", "out/.lodsmith/torus.mesh.json", "out/torus.mesh"));
     for (const json& level : record["levels"]) {
         EXPECT_TRUE(level["coverage"].is_null());
         EXPECT_TRUE(level["separate"].is_null());

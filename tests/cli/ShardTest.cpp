@@ -27,7 +27,7 @@ std::vector<nlohmann::json> withoutTimes(const Outcome& outcome)
     std::vector<nlohmann::json> records = outcome.records();
     for (nlohmann::json& record : records)
         for (const char* member : {"up_to_date", "cached", "read_ms", "generate_ms", "generate_min_ms", "order_ms",
-                                   "write_ms", "peak_kb", "output"})
+                                   "foliage_ms", "write_ms", "peak_kb", "output"})
             record.erase(member);
     return records;
 }

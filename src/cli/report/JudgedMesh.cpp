@@ -9,8 +9,9 @@ namespace lodsmith::cli {
 
 namespace {
 
-Result<std::size_t> levelsIn(const std::filesystem::path& file, OgreSession& session)
+Result<std::size_t> levelsIn(const std::filesystem::path& file)
 {
+    OgreSession session;
     const Result<Ogre::MeshPtr> mesh = session.load(file);
     if (!mesh)
         return mesh.error();
@@ -31,8 +32,7 @@ std::vector<std::optional<std::string>> stopsIn(const Json& levels)
 
 Result<JudgedMesh> judgedMesh(const PlannedFile& mesh, Progress& progress)
 {
-    OgreSession session;
-    const Result<std::size_t> levels = levelsIn(mesh.input, session);
+    const Result<std::size_t> levels = levelsIn(mesh.input);
     if (!levels)
         return levels.error();
     JudgedMesh judged;
@@ -47,6 +47,7 @@ Result<JudgedMesh> judgedMesh(const PlannedFile& mesh, Progress& progress)
     judged.directory = std::move(directory).value();
     judged.file = judged.directory->path() / mesh.input.filename();
     const GenerateSettings settings;
+    OgreSession session;
     const Result<GeneratedMesh> made =
         generateMesh(settings, {mesh.input, judged.file, std::nullopt, mesh.name}, session, progress);
     if (!made)

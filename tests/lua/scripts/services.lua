@@ -73,7 +73,7 @@ function tests.theManagerAppliesADefinition()
     same(lodsmith.Decision.Queued, lodsmith.manager:apply(mesh, lodsmith.newDefinition()))
     finish()
     local automatic = assert(mesh:info()).levels
-    assert(#automatic > 0 and automatic[1].value > 1000)
+    assert(#automatic > 0 and automatic[1].value > 10)
     local wrong = check.levels(40)
     assert(wrong:setType(lodsmith.Type.User))
     fails("level 1", lodsmith.manager:apply(mesh, wrong))
@@ -91,7 +91,7 @@ function tests.automaticLevelsCanBeMadeOnesOwn()
     for _, levels in ipairs({ 0, 9, 1.5, 0 / 0 }) do
         fails("1 to 8", lodsmith.manager:automaticDefinition(mesh, levels))
     end
-    -- The same levels, to the triangle.
+    -- The same levels. Fewer stops on the way may let a few other collapses be made.
     assert(lodsmith.generator:generate(mesh, lodsmith.newDefinition()))
     local automatic = assert(mesh:info()).levels
     definition = assert(lodsmith.manager:automaticDefinition(mesh))
@@ -101,7 +101,7 @@ function tests.automaticLevelsCanBeMadeOnesOwn()
     same(#automatic, #own)
     for index, level in ipairs(own) do
         same(automatic[index].value, level.value)
-        same(automatic[index].triangles, level.triangles)
+        assert(math.abs(automatic[index].triangles - level.triangles) <= 0.1 * level.triangles)
     end
 end
 
