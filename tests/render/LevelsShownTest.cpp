@@ -143,7 +143,8 @@ protected:
         EXPECT_EQ(drawn, triangles);
     }
 
-    void expectLevelsOnTheWay()
+    /// @param nearest level that the way begins with
+    void expectLevelsOnTheWay(int nearest = 0)
     {
         std::vector<double> way;
         for (double distance = 1.2; distance < 500.0; distance *= 1.13)
@@ -152,7 +153,8 @@ protected:
         for (const double distance : way)
             expectLevelsAt(distance);
         for (Ogre::Entity* entity : mEntities)
-            EXPECT_EQ(mSeen[entity].size(), entity->getMesh()->getNumLodLevels()) << entity->getMesh()->getName();
+            EXPECT_EQ(mSeen[entity].size(), std::size_t(entity->getMesh()->getNumLodLevels() - nearest))
+                << entity->getMesh()->getName();
     }
 
     std::vector<Ogre::MeshPtr> mMeshes;
@@ -209,7 +211,7 @@ TEST_F(LevelsShownTest, AutomaticLevelsAppearOneAfterTheOther)
         generate(automaticLodConfig(mesh));
         show(mesh);
     }
-    expectLevelsOnTheWay();
+    expectLevelsOnTheWay(1); // the first appears when the mesh is larger than this window
 }
 
 } // namespace
