@@ -10,8 +10,8 @@ namespace lodsmith::cli {
 namespace {
 
 /// What differs from run to run is no part of a record, whose bytes are the same whenever the mesh's are.
-constexpr const char* kMeasured[] = {"cached",   "read_ms",  "generate_ms", "generate_min_ms",
-                                     "order_ms", "foliage_ms",  "write_ms", "peak_kb"};
+constexpr const char* kMeasured[] = {"cached",   "read_ms",    "generate_ms", "generate_min_ms",
+                                     "order_ms", "foliage_ms", "write_ms",    "peak_kb"};
 
 bool isInPlace(const PlannedFile& file)
 {

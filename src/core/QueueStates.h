@@ -16,8 +16,8 @@ struct QueueStates {
     };
 
     struct Entry {
-        /// An entry of the queue with another cost counts no more. Of a stalled vertex: the least bound on deviation under which
-        /// it need be looked at again, infinite when none helps.
+        /// An entry of the queue with another cost counts no more. Of a stalled vertex: it need not be looked at again
+        /// while both limits are smaller; infinite when none helps.
         float cost = 0.0f;
         /// Of the cheapest collapse, as last evaluated; itself when its piece is to vanish. Means nothing when stale.
         std::uint32_t target = 0;

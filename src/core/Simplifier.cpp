@@ -69,7 +69,7 @@ void Simplifier::clearQueue()
     std::vector<std::uint32_t>().swap(mStalled);
 }
 
-/// Sets aside a vertex that can neither be collapsed nor vanish, until the deviation may be as large as this.
+/// Sets aside a vertex that can neither be collapsed nor vanish, until one of the limits is as large as this.
 void Simplifier::stall(std::uint32_t vertex, double needed)
 {
     mStates.flags[vertex] = Flag::kStalled;
@@ -104,17 +104,17 @@ void Simplifier::changeLimits(const CollapseLimits& limits)
     const bool held = mOutcome.heldByLimit || mOutcome.heldBySize;
     mOutcome.heldByLimit = mOutcome.heldBySize = mMayOvershoot = false;
     if (held)
-        requeueStalled(static_cast<float>(limits.deviation));
+        requeueStalled(static_cast<float>(std::max(limits.deviation, limits.length)));
 }
 
-void Simplifier::requeueStalled(float deviation)
+void Simplifier::requeueStalled(float limit)
 {
     std::vector<std::uint32_t> stalled;
     stalled.swap(mStalled);
     for (std::uint32_t v : stalled) {
         if (!(mStates.flags[v] & Flag::kStalled) || !mMesh.isAlive(v))
             continue;
-        if (const float needed = mStates.entries[v].cost; needed > deviation) {
+        if (const float needed = mStates.entries[v].cost; needed > limit) {
             mOutcome.heldByLimit |= std::isfinite(needed);
             mStalled.push_back(v);
             continue;
@@ -269,7 +269,7 @@ void Simplifier::removePiece(const CollapseLimits& limits)
     if (mPieces.deviation() > limits.deviation || length > limits.length) {
         // In a part the nearest face may be farther away than it is in the whole.
         (mScope.isWhole() ? mOutcome.heldByLimit : mOutcome.heldByScope) = true;
-        stall(v, mScope.isWhole() && length <= limits.length ? std::min(mNeeded, mPieces.deviation()) : 0.0);
+        stall(v, mScope.isWhole() ? std::min(mNeeded, std::max(mPieces.deviation(), length)) : 0.0);
     } else if (!isFront(cost)) {
         enqueue(v, v, cost);
     } else if (overshoots(limits) && !mMayOvershoot) {
@@ -304,7 +304,7 @@ bool Simplifier::withinLimits(const CollapseLimits& limits, const Candidate& can
     if (mPatchDeviation.largest() <= limits.deviation && mLength <= limits.length)
         return true;
     mOutcome.heldByLimit = true;
-    mNeeded = mLength <= limits.length ? std::min(mNeeded, mPatchDeviation.largest()) : 0.0;
+    mNeeded = std::min(mNeeded, std::max(mPatchDeviation.largest(), mLength));
     return false;
 }
 

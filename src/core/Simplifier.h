@@ -102,7 +102,7 @@ private:
 
     void prepare(std::uint32_t vertex, const VertexLocks& locks);
     bool reached(const CollapseLimits& limits) const;
-    void requeueStalled(float deviation);
+    void requeueStalled(float limit);
     bool mayOvershoot();
     bool overshoots(const CollapseLimits& limits) const;
     void advance(const CollapseLimits& limits);
@@ -147,7 +147,7 @@ private:
     CollapseOutcome mOutcome;
     float mFrontCost = 0.0f;    ///< of the entry looked at last
     double mLength = 0.0;       ///< the candidate's cost as a length
-    double mNeeded = 0.0;       ///< bound on deviation under which the vertex in front could go, infinite for none
+    double mNeeded = 0.0;       ///< the vertex in front stays while both limits are smaller; infinite when none helps
     bool mMayOvershoot = false; ///< a piece larger than what is left to take away goes all the same: nothing else can
 };
 

@@ -60,7 +60,7 @@ std::uint32_t countLeft(std::uint32_t all, double removed)
     return removed >= all ? 0 : all - static_cast<std::uint32_t>(removed);
 }
 
-CollapseLimits limitsOf(const LevelTarget& target, const CollapseMesh& mesh)
+CollapseLimits limitsOf(const LevelTarget& target, const CollapseMesh& mesh, Metric metric)
 {
     CollapseLimits limits{0, 0, kUnlimited, kUnlimited};
     const std::uint32_t vertices = mesh.summary.vertices;
@@ -72,7 +72,11 @@ CollapseLimits limitsOf(const LevelTarget& target, const CollapseMesh& mesh)
     case LevelTarget::Kind::Triangles:
         limits.triangles = static_cast<std::uint32_t>(std::min<double>(target.amount, mesh.summary.triangles));
         break;
-    case LevelTarget::Kind::Deviation: limits.deviation = target.amount * mesh.scale; break;
+    case LevelTarget::Kind::Deviation:
+        limits.deviation = target.amount * mesh.scale;
+        if (metric == Metric::Quadric) // else a shape that is near enough would excuse any texture
+            limits.length = limits.deviation;
+        break;
     case LevelTarget::Kind::CollapseCost: limits.length = target.amount * mesh.scale; break;
     }
     return limits;
@@ -96,11 +100,11 @@ std::vector<std::vector<std::uint32_t>> snapshot(const CollapseMesh& mesh)
 }
 
 /// Vertices that are left when all levels are made, at least.
-std::uint32_t fewestVertices(const std::vector<LevelTarget>& targets, const CollapseMesh& mesh)
+std::uint32_t fewestVertices(const std::vector<LevelTarget>& targets, const CollapseMesh& mesh, Metric metric)
 {
     std::uint32_t fewest = kNone;
     for (const LevelTarget& target : targets) {
-        const CollapseLimits limits = limitsOf(target, mesh);
+        const CollapseLimits limits = limitsOf(target, mesh, metric);
         fewest = std::min(fewest, std::max(limits.vertices, limits.triangles / 2));
     }
     return fewest;
@@ -141,7 +145,7 @@ Result<LodChain> run(const MeshView& view, const std::vector<LevelTarget>& targe
     }
     if (isCancelled(progress))
         return cancelled;
-    const Watch watch(progress, mesh.summary.vertices, fewestVertices(targets, mesh));
+    const Watch watch(progress, mesh.summary.vertices, fewestVertices(targets, mesh, options.metric));
     const VertexLocks locks{options.lockBorders, options.lockSeams};
     const auto cost = [&options] { return makeCost(options.metric); };
     QueueStates states(mesh.vertexCount());
@@ -162,7 +166,7 @@ Result<LodChain> run(const MeshView& view, const std::vector<LevelTarget>& targe
     std::uint32_t verticesBefore = mesh.liveVertices;
     for (const LevelTarget& target : targets) {
         LodChainLevel level;
-        const CollapseLimits limits = limitsOf(target, mesh);
+        const CollapseLimits limits = limitsOf(target, mesh, options.metric);
         simplifier.changeLimits(limits);
         if (rounds)
             rounds->run(limits, simplifier);

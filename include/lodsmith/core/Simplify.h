@@ -17,7 +17,7 @@ struct LevelTarget {
         Proportional, ///< share of the vertices removed, 0..1
         Constant,     ///< number of vertices removed, >= 0; more than there are means all
         Triangles,    ///< triangles kept, >= 0
-        Deviation,    ///< bound on the deviation, world units, >= 0
+        Deviation,    ///< bound on the deviation, world units, >= 0; with Metric::Quadric no collapse costs more
         CollapseCost, ///< dearest collapse allowed, a length in world units, >= 0 (see Metric)
     };
     Kind kind = Kind::Proportional;
