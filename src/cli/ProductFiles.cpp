@@ -127,12 +127,15 @@ Result<Done> placeCopy(Copy& copy, const fs::path& output, const Json& settings,
 /// The record, then the mesh: whoever has no record left finds a mesh that is not this program's.
 Result<Done> placeMesh(AtomicFile& file, const fs::path& output, const GeneratedMesh& mesh, const BuildRecord& record)
 {
-    const bool known = isRecorded(output);
-    if (auto written = writeRecord(output, recordText(record, output), Existing::Replace); !written)
-        return written;
+    const std::string text = recordText(record, output);
+    // Of several processes one alone is the first.
+    const bool isFirst = writeRecord(output, text, Existing::Keep).ok();
+    if (!isFirst)
+        if (auto written = writeRecord(output, text, Existing::Replace); !written)
+            return written;
     auto placed = putInPlace(file, output, mesh.bytes);
     std::error_code ignored;
-    if (!placed && !known)
+    if (!placed && isFirst && hasContent(recordFile(output), text)) // nor has another process been here since
         fs::remove(recordFile(output), ignored);
     return placed;
 }

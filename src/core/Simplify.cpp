@@ -19,6 +19,7 @@ namespace lodsmith {
 namespace {
 
 constexpr double kRounding = 1e-7; // share of the radius that a bound may be short of, for all the rounding behind it
+constexpr double kCostRounding = 1e-4; // the same for costs, which are square roots of sums in floats
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 std::optional<Error> troubleWith(const std::vector<LevelTarget>& targets, const AttributeWeights& weights)
@@ -75,7 +76,7 @@ CollapseLimits limitsOf(const LevelTarget& target, const CollapseMesh& mesh, Met
     case LevelTarget::Kind::Deviation:
         limits.deviation = target.amount * mesh.scale;
         if (metric == Metric::Quadric) // else a shape that is near enough would excuse any texture
-            limits.length = limits.deviation;
+            limits.length = limits.deviation + kCostRounding * mesh.summary.radius * mesh.scale;
         break;
     case LevelTarget::Kind::CollapseCost: limits.length = target.amount * mesh.scale; break;
     }
