@@ -7,10 +7,10 @@
 
 namespace lodsmith::benchmarks {
 
-double CorePeer::generate(Subject& subject, const std::vector<LevelTarget>& targets)
+double CorePeer::generate(Subject& subject, const Plan& plan)
 {
     const auto start = std::chrono::steady_clock::now();
-    Result<LodChain> chain = simplify(subject.view(), targets, mOptions);
+    Result<LodChain> chain = simplify(subject.view(), targetsOf(plan), mOptions);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
     if (!chain)
         throw std::runtime_error(name() + ": " + describe(chain.error()));

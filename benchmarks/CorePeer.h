@@ -13,7 +13,7 @@ public:
 
     const SimplifyOptions* options() const override { return &mOptions; }
     bool knows(LevelTarget::Kind) const override { return true; }
-    double generate(Subject& subject, const std::vector<LevelTarget>& targets) override;
+    double generate(Subject& subject, const Plan& plan) override;
     std::vector<PeerLevel> levels(const Subject& subject) const override;
     void reset(Subject&) override { mChain = {}; }
 

@@ -17,9 +17,23 @@ LodConfig levelsAtDistances(const Ogre::MeshPtr& mesh, const std::vector<LevelTa
     return config;
 }
 
-double LodsmithPeer::generate(Subject& subject, const std::vector<LevelTarget>& targets)
+namespace {
+
+void letChoose(LodConfig& config, const Plan& plan)
 {
-    LodConfig config = levelsAtDistances(subject.mesh(), targets);
+    config.strategy = "pixel_count";
+    for (std::size_t i = 0; i < plan.levels.size(); ++i)
+        config.levels[i].value = static_cast<Ogre::Real>(plan.levels[i].pixels);
+    config.mostLevels = plan.mostLevels;
+}
+
+} // namespace
+
+double LodsmithPeer::generate(Subject& subject, const Plan& plan)
+{
+    LodConfig config = levelsAtDistances(subject.mesh(), targetsOf(plan));
+    if (plan.mostLevels > 0)
+        letChoose(config, plan);
     config.options = mOptions;
 
     const auto start = std::chrono::steady_clock::now();

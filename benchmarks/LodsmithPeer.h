@@ -16,7 +16,8 @@ public:
 
     const SimplifyOptions* options() const override { return &mOptions; }
     bool knows(LevelTarget::Kind) const override { return true; }
-    double generate(Subject& subject, const std::vector<LevelTarget>& targets) override;
+    bool chooses() const override { return true; }
+    double generate(Subject& subject, const Plan& plan) override;
     std::vector<PeerLevel> levels(const Subject& subject) const override;
     void reset(Subject& subject) override { subject.removeLevels(); }
 

@@ -2,6 +2,7 @@
 
 #include <meshoptimizer.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -45,17 +46,17 @@ std::vector<std::uint32_t> MeshoptPeer::simplify(const Input& input, const std::
     return result;
 }
 
-double MeshoptPeer::generate(Subject& subject, const std::vector<LevelTarget>& targets)
+double MeshoptPeer::generate(Subject& subject, const Plan& plan)
 {
     const std::vector<Input> inputs = makeInputs(subject.view());
     const auto start = std::chrono::steady_clock::now();
-    mLevels.assign(targets.size(), LevelIndices(inputs.size()));
-    for (std::size_t level = 0; level < targets.size(); ++level) {
-        const double kept = keptShare(targets[level], subject.triangles());
+    mLevels.assign(plan.levels.size(), LevelIndices(inputs.size()));
+    for (std::size_t level = 0; level < plan.levels.size(); ++level) {
+        const double kept = keptShare(plan.levels[level].target, subject.triangles());
         for (std::size_t i = 0; i < inputs.size(); ++i) {
             const auto triangles = static_cast<std::size_t>(std::lround(kept * double(inputs[i].indices.size() / 3)));
             const auto& from = level == 0 ? inputs[i].indices : mLevels[level - 1][i];
-            mLevels[level][i] = simplify(inputs[i], from, 3 * triangles);
+            mLevels[level][i] = simplify(inputs[i], from, std::min(3 * triangles, from.size()));
         }
     }
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

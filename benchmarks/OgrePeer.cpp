@@ -21,13 +21,13 @@ Ogre::LodLevel::VertexReductionMethod methodFor(LevelTarget::Kind kind)
 
 } // namespace
 
-double OgrePeer::generate(Subject& subject, const std::vector<LevelTarget>& targets)
+double OgrePeer::generate(Subject& subject, const Plan& plan)
 {
     Ogre::MeshPtr mesh = subject.mesh();
     Ogre::LodConfig config(mesh, Ogre::DistanceLodSphereStrategy::getSingletonPtr());
     config.advanced.useBackgroundQueue = false;
     Ogre::Real distance = 0;
-    for (const LevelTarget& target : targets)
+    for (const LevelTarget& target : targetsOf(plan))
         config.createGeneratedLodLevel(distance += 100, Ogre::Real(target.amount), methodFor(target.kind));
 
     const auto start = std::chrono::steady_clock::now();

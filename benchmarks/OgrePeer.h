@@ -17,7 +17,7 @@ public:
         return kind == LevelTarget::Kind::Proportional
                || (kind == LevelTarget::Kind::CollapseCost && mCost == Cost::Curvature);
     }
-    double generate(Subject& subject, const std::vector<LevelTarget>& targets) override;
+    double generate(Subject& subject, const Plan& plan) override;
     std::vector<PeerLevel> levels(const Subject& subject) const override;
     void reset(Subject& subject) override { subject.removeLevels(); }
 

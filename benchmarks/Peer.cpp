@@ -20,8 +20,8 @@ std::vector<std::unique_ptr<Peer>> makePeers()
     peers.push_back(std::make_unique<MeshoptPeer>(kMeshoptimizer));
     peers.push_back(std::make_unique<LodsmithPeer>(kLodsmith, SimplifyOptions{}));
     peers.push_back(std::make_unique<CorePeer>(kLodsmithCore, SimplifyOptions{}));
-    peers.push_back(std::make_unique<LodsmithPeer>("lodsmith-positions", positions));
-    peers.push_back(std::make_unique<LodsmithPeer>("lodsmith-curvature", curvature));
+    peers.push_back(std::make_unique<LodsmithPeer>(kLodsmithPositions, positions));
+    peers.push_back(std::make_unique<LodsmithPeer>(kLodsmithCurvature, curvature));
     return peers;
 }
 
@@ -33,19 +33,35 @@ std::unique_ptr<Peer> makePeer(const std::string& name)
     return nullptr;
 }
 
-std::vector<LevelTarget> halvings()
+Plan anywhere(const std::vector<LevelTarget>& targets)
+{
+    Plan plan;
+    for (const LevelTarget& target : targets)
+        plan.levels.push_back({target, 0.0});
+    return plan;
+}
+
+Plan halvings()
 {
     std::vector<LevelTarget> targets;
     for (const double share : {0.5, 0.75, 0.875, 0.9375})
         targets.push_back({LevelTarget::Kind::Proportional, share});
-    return targets;
+    return anywhere(targets);
 }
 
-std::vector<LevelTarget> triangleTargets(const std::vector<std::uint32_t>& counts)
+Plan atTriangles(const std::vector<std::uint32_t>& counts)
 {
     std::vector<LevelTarget> targets;
     for (const std::uint32_t count : counts)
         targets.push_back({LevelTarget::Kind::Triangles, double(count)});
+    return anywhere(targets);
+}
+
+std::vector<LevelTarget> targetsOf(const Plan& plan)
+{
+    std::vector<LevelTarget> targets;
+    for (const PlannedLevel& level : plan.levels)
+        targets.push_back(level.target);
     return targets;
 }
 

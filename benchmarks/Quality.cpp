@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace lodsmith::benchmarks {
@@ -36,6 +37,15 @@ std::vector<MeasuredLevel> measureLevels(const Subject& subject, const std::vect
         level.deviation = deviation.value();
     }
     return measured;
+}
+
+double visiblePixels(const Subject& subject, double pixels, const MeasuredLevel& level)
+{
+    constexpr double kPi = 3.14159265358979323846;
+    const double radius = subject.mesh()->getBoundingSphereRadius();
+    if (pixels <= 0.0 || !level.deviation || radius <= 0.0)
+        return std::numeric_limits<double>::quiet_NaN();
+    return level.deviation->surface.maximum / radius * std::sqrt(pixels / kPi);
 }
 
 bool reached(const MeasuredLevel& level, std::uint32_t triangles)

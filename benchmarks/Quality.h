@@ -22,6 +22,9 @@ struct MeasuredLevel {
 std::vector<MeasuredLevel> measureLevels(const Subject& subject, const std::vector<PeerLevel>& levels,
                                          const DeviationOptions& options);
 
+/// The largest deviation of a level that appears at a pixel_count, in pixels; NaN where either is not known.
+double visiblePixels(const Subject& subject, double pixels, const MeasuredLevel& level);
+
 /// True when a level came within 2% (or two triangles) of a number of triangles: only such levels are compared.
 bool reached(const MeasuredLevel& level, std::uint32_t triangles);
 

@@ -6,7 +6,7 @@ namespace lodsmith::benchmarks {
 
 LodConfig halvedLevels(const Ogre::MeshPtr& mesh)
 {
-    return levelsAtDistances(mesh, halvings());
+    return levelsAtDistances(mesh, targetsOf(halvings()));
 }
 
 std::vector<std::unique_ptr<Subject>> subjectsUpTo(std::uint32_t triangles)

@@ -66,7 +66,7 @@ std::vector<PeerLevel> chainAt(const Subject& subject, const std::vector<std::ui
 {
     SimplifyOptions options;
     options.weights = weights;
-    const Result<LodChain> chain = simplify(subject.view(), triangleTargets(counts), options);
+    const Result<LodChain> chain = simplify(subject.view(), targetsOf(atTriangles(counts)), options);
     if (!chain)
         throw std::runtime_error(describe(chain.error()));
     return chainLevels(subject.view(), chain.value());

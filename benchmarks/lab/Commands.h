@@ -14,6 +14,7 @@ void addRunCommand(CLI::App& app, int& exitCode);
 void addPeakCommand(CLI::App& app, int& exitCode); ///< not for people: what `run` starts processes for
 void addShowCommand(CLI::App& app, int& exitCode);
 void addTablesCommand(CLI::App& app, int& exitCode);
+void addPlotsCommand(CLI::App& app, int& exitCode);
 void addCompareCommand(CLI::App& app, int& exitCode);
 
 } // namespace lodsmith::benchmarks

@@ -1,32 +1,38 @@
 #include "Configuration.h"
 
-#include <lodsmith/analysis/LevelChoice.h>
-#include <lodsmith/core/Simplify.h>
+#include "../Quality.h"
+
 #include <lodsmith/ogre/AutomaticLods.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <memory>
-#include <stdexcept>
 
 namespace lodsmith::benchmarks {
 
 namespace {
-
-using Targets = std::vector<LevelTarget>;
 
 std::function<bool(const Peer&)> whoKnows(LevelTarget::Kind kind)
 {
     return [kind](const Peer& generator) { return generator.knows(kind); };
 }
 
-/// Levels that nobody has said when to show.
-Plan anywhere(const Targets& targets)
+/// Whether somebody would use the generator's levels as they are. The core's are those of kLodsmith, and positions only are
+/// there for what attributes cost.
+bool isForUse(const Peer& generator)
 {
-    Plan plan;
-    for (const LevelTarget& target : targets)
-        plan.push_back({target, 0.0});
-    return plan;
+    return generator.name() != kLodsmithCore && generator.name() != kLodsmithPositions;
+}
+
+std::function<bool(const Peer&)> whoMayUse(LevelTarget::Kind kind)
+{
+    return [kind](const Peer& generator) { return isForUse(generator) && generator.knows(kind); };
+}
+
+bool isLodsmith(const Peer& generator)
+{
+    return generator.name() == kLodsmith;
 }
 
 /// pixel_count of a disc of so many pixels in radius.
@@ -36,23 +42,24 @@ double pixelsOfRadius(double radius)
     return kPi * radius * radius;
 }
 
-Plan planAutomatic(Subject& subject, const Peer& generator)
+/// What the library does by itself, with the generator's metric.
+Plan planAutomatic(Subject& subject, const Peer& generator, double pixels)
 {
     AutomaticLods automatic;
     automatic.metric = generator.options()->metric;
+    automatic.pixels = pixels;
     const LodConfig config = automaticLodConfig(subject.mesh(), automatic);
-    Targets targets;
-    for (const LodLevel& level : config.levels)
-        targets.push_back(level.target);
-    const Result<LodChain> chain = simplify(subject.view(), targets, *generator.options());
-    if (!chain)
-        throw std::runtime_error(describe(chain.error()));
-    std::vector<LevelCandidate> candidates;
-    for (std::size_t i = 0; i < targets.size(); ++i)
-        candidates.push_back({std::sqrt(double(config.levels[i].value)), chain.value().levels[i].triangles});
     Plan plan;
-    for (const std::size_t i : chooseLevels(subject.triangles(), candidates, config.mostLevels))
-        plan.push_back({targets[i], double(config.levels[i].value)});
+    for (const LodLevel& level : config.levels)
+        plan.levels.push_back({level.target, double(level.value)});
+    plan.mostLevels = config.mostLevels;
+    return plan;
+}
+
+Plan planCandidates(Subject& subject, const Peer& generator)
+{
+    Plan plan = planAutomatic(subject, generator, 1.0);
+    plan.mostLevels = 0;
     return plan;
 }
 
@@ -62,7 +69,7 @@ Plan planClassic(Subject& subject, const Peer&)
     const double radius = subject.mesh()->getBoundingSphereRadius();
     Plan plan;
     for (const double i : {2.0, 3.0, 4.0, 5.0})
-        plan.push_back(
+        plan.levels.push_back(
             {{LevelTarget::Kind::CollapseCost, radius * std::pow(i, 5) / 100000.0}, 3388608.0 / std::pow(i, 4)});
     return plan;
 }
@@ -73,7 +80,7 @@ Plan planPlain(Subject& subject, const Peer&)
     Plan plan;
     for (const double share : {0.5, 0.25, 0.125}) {
         const LevelTarget target{LevelTarget::Kind::Triangles, std::floor(share * subject.triangles())};
-        plan.push_back({target, pixelsOfRadius(share * kFullHeight)});
+        plan.levels.push_back({target, pixelsOfRadius(share * kFullHeight)});
     }
     return plan;
 }
@@ -87,10 +94,10 @@ public:
     {
         // Who knows no such target takes part where it arrives at the same count by itself.
         if (!generator.knows(LevelTarget::Kind::Triangles))
-            return anywhere(halvings());
+            return halvings();
         if (mMesh != subject.mesh())
             find(subject);
-        return anywhere(triangleTargets(mCounts));
+        return atTriangles(mCounts);
     }
 
 private:
@@ -108,6 +115,50 @@ private:
     Ogre::MeshPtr mMesh; // kept, so that no other mesh can be at its address
     std::vector<std::uint32_t> mCounts;
 };
+
+/// The greatest error that levels of the formula of 2012 have on a mesh when they appear, found once a mesh.
+class ClassicError {
+public:
+    double pixels(Subject& subject)
+    {
+        if (mMesh != subject.mesh())
+            find(subject);
+        return mPixels;
+    }
+
+private:
+    void find(Subject& subject)
+    {
+        const Plan plan = planClassic(subject, *mClassic);
+        mClassic->generate(subject, plan);
+        const std::vector<MeasuredLevel> levels = measureLevels(subject, mClassic->levels(subject), {});
+        mClassic->reset(subject);
+        mPixels = AutomaticLods::kMinPixels;
+        for (std::size_t i = 0; i < levels.size(); ++i)
+            if (levels[i].deviation)
+                mPixels = std::max(mPixels, visiblePixels(subject, plan.levels[i].pixels, levels[i]));
+        mPixels = std::min(mPixels, AutomaticLods::kMaxPixels);
+        mMesh = subject.mesh();
+    }
+
+    std::unique_ptr<Peer> mClassic = makePeer(kLodsmithCurvature);
+    Ogre::MeshPtr mMesh; // kept, so that no other mesh can be at its address
+    double mPixels = 0.0;
+};
+
+Configuration automaticLikeClassic()
+{
+    const auto error = std::make_shared<ClassicError>();
+    Configuration configuration;
+    configuration.name = "automatic-like-classic";
+    configuration.rule = "automatic, where as many pixels are allowed as a classic level of the mesh is off at most";
+    configuration.suits = isLodsmith;
+    configuration.plan = [error](Subject& subject, const Peer& generator) {
+        return planAutomatic(subject, generator, error->pixels(subject));
+    };
+    configuration.timed = false;
+    return configuration;
+}
 
 Configuration atCountsOf(const std::string& reference)
 {
@@ -129,13 +180,16 @@ std::vector<Configuration> makeConfigurations()
 {
     return {
         {kHalvings, "50, 75, 87.5 and 93.75% of the vertices removed", whoKnows(LevelTarget::Kind::Proportional),
-         [](Subject&, const Peer&) { return anywhere(halvings()); }},
+         [](Subject&, const Peer&) { return halvings(); }},
         {kAutomatic, "what the library does by itself, with the generator's metric",
-         [](const Peer& generator) { return generator.options() != nullptr; }, planAutomatic},
+         [](const Peer& generator) { return isForUse(generator) && generator.chooses(); },
+         [](Subject& subject, const Peer& generator) { return planAutomatic(subject, generator, 1.0); }},
+        {kCandidates, "the levels among which the library chooses", isLodsmith, planCandidates},
         {kClassic, "i = 2..5: 3388608 / i^4 pixels, collapse cost radius * i^5 / 100000",
-         whoKnows(LevelTarget::Kind::CollapseCost), planClassic},
+         whoMayUse(LevelTarget::Kind::CollapseCost), planClassic},
         {"plain", "50, 25 and 12.5% of the triangles at 1/2, 1/4 and 1/8 of a height of 1080 pixels",
-         whoKnows(LevelTarget::Kind::Triangles), planPlain},
+         whoMayUse(LevelTarget::Kind::Triangles), planPlain},
+        automaticLikeClassic(),
         atCountsOf(kOgreCurvature),
         atCountsOf(kMeshoptimizer),
     };
@@ -146,10 +200,7 @@ Making make(Subject& subject, const Configuration& configuration, Peer& generato
     const auto start = std::chrono::steady_clock::now();
     Plan plan = configuration.plan(subject, generator);
     const std::chrono::duration<double> planning = std::chrono::steady_clock::now() - start;
-    Targets targets;
-    for (const PlannedLevel& level : plan)
-        targets.push_back(level.target);
-    const double seconds = generator.generate(subject, targets);
+    const double seconds = generator.generate(subject, plan);
     return {std::move(plan), planning.count(), planning.count() + seconds};
 }
 

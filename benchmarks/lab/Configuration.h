@@ -8,15 +8,6 @@
 
 namespace lodsmith::benchmarks {
 
-/// A level that a configuration asks for.
-struct PlannedLevel {
-    LevelTarget target;
-    /// pixel_count at which the level appears (LodConfig.h); 0 where the configuration does not say.
-    double pixels = 0.0;
-};
-
-using Plan = std::vector<PlannedLevel>;
-
 /// A rule that says which levels a mesh gets.
 struct Configuration {
     std::string name;
@@ -45,5 +36,6 @@ Making make(Subject& subject, const Configuration& configuration, Peer& generato
 inline constexpr const char* kHalvings = "halvings";
 inline constexpr const char* kClassic = "classic";
 inline constexpr const char* kAutomatic = "automatic";
+inline constexpr const char* kCandidates = "candidates";
 
 } // namespace lodsmith::benchmarks

@@ -8,7 +8,6 @@
 
 #include <lodsmith/analysis/MeshStatistics.h>
 
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -26,25 +25,16 @@ std::uint64_t indexBytes(const MeshView& original, const LevelIndices& level)
     return bytes;
 }
 
-/// Two-sided maximum deviation at the size on screen at which a level appears.
-double visiblePixels(const Subject& subject, const PlannedLevel& planned, const MeasuredLevel& measured)
-{
-    constexpr double kPi = 3.14159265358979323846;
-    const double radius = subject.mesh()->getBoundingSphereRadius();
-    if (planned.pixels <= 0.0 || !measured.deviation || radius <= 0.0)
-        return kUnknown;
-    return measured.deviation->surface.maximum / radius * std::sqrt(planned.pixels / kPi);
-}
-
 std::vector<LevelRecord> measureMade(const Subject& subject, const Plan& plan, const std::vector<PeerLevel>& made,
                                      const DeviationOptions& options)
 {
     const std::vector<MeasuredLevel> measured = measureLevels(subject, made, options);
     LevelIndices before = originalIndices(subject.view());
     std::vector<LevelRecord> levels;
-    for (std::size_t i = 0; i < plan.size(); ++i) {
-        levels.push_back({plan[i].target, plan[i].pixels, measured[i], indexBytes(subject.view(), made[i].indices),
-                          made[i].indices == before, visiblePixels(subject, plan[i], measured[i])});
+    for (std::size_t i = 0; i < plan.levels.size(); ++i) {
+        const auto& [target, pixels] = plan.levels[i];
+        levels.push_back({target, pixels, measured[i], indexBytes(subject.view(), made[i].indices),
+                          made[i].indices == before, visiblePixels(subject, pixels, measured[i])});
         before = made[i].indices;
     }
     return levels;

@@ -19,6 +19,7 @@ int run(int argc, char** argv)
     addPeakCommand(app, exitCode);
     addShowCommand(app, exitCode);
     addTablesCommand(app, exitCode);
+    addPlotsCommand(app, exitCode);
     addCompareCommand(app, exitCode);
     try {
         app.parse(argc, argv);

@@ -1,12 +1,17 @@
 #include "Configuration.h"
 
 #include "../../benchmarks/OgreSession.h"
+#include "../../benchmarks/Quality.h"
+#include "../../benchmarks/StoredLevels.h"
+
+#include <lodsmith/ogre/ProgressiveMeshGenerator.h>
 
 #include <OgreLodConfig.h>
 #include <OgreMeshLodGenerator.h>
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -45,12 +50,12 @@ TEST_F(ConfigurationTest, theClassicOneIsOgresOwnAutoconfiguration)
     Ogre::MeshPtr mesh = mSubject->mesh();
     Ogre::MeshLodGenerator::getSingleton().getAutoconfig(mesh, ogre);
     const Plan plan = planOf("classic", kOgreCurvature);
-    ASSERT_EQ(plan.size(), ogre.levels.size());
-    for (std::size_t i = 0; i < plan.size(); ++i) {
+    ASSERT_EQ(plan.levels.size(), ogre.levels.size());
+    for (std::size_t i = 0; i < plan.levels.size(); ++i) {
         EXPECT_EQ(ogre.levels[i].reductionMethod, Ogre::LodLevel::VRM_COLLAPSE_COST);
-        EXPECT_EQ(plan[i].target.kind, LevelTarget::Kind::CollapseCost);
-        EXPECT_NEAR(plan[i].target.amount, ogre.levels[i].reductionValue, 1e-5 * ogre.levels[i].reductionValue);
-        EXPECT_NEAR(plan[i].pixels, ogre.levels[i].distance, 1e-5 * ogre.levels[i].distance);
+        EXPECT_EQ(plan.levels[i].target.kind, LevelTarget::Kind::CollapseCost);
+        EXPECT_NEAR(plan.levels[i].target.amount, ogre.levels[i].reductionValue, 1e-5 * ogre.levels[i].reductionValue);
+        EXPECT_NEAR(plan.levels[i].pixels, ogre.levels[i].distance, 1e-5 * ogre.levels[i].distance);
     }
 }
 
@@ -61,20 +66,57 @@ TEST_F(ConfigurationTest, nobodyIsAskedForWhatTheyDoNotKnow)
     EXPECT_FALSE(suits("classic", "ogre-quadric")); // whose costs are no lengths
     EXPECT_FALSE(suits("plain", kOgreCurvature));
     EXPECT_TRUE(suits("plain", kMeshoptimizer));
-    for (const std::unique_ptr<Peer>& peer : makePeers()) {
+    EXPECT_TRUE(suits("automatic", kLodsmith));
+    EXPECT_TRUE(suits("automatic", kLodsmithCurvature));
+    for (const std::unique_ptr<Peer>& peer : makePeers())
         EXPECT_TRUE(suits("halvings", peer->name())) << peer->name();
-        if (peer->options()) {
-            EXPECT_TRUE(suits("automatic", peer->name())) << peer->name();
-        }
-    }
+}
+
+TEST_F(ConfigurationTest, theAutomaticOneMakesWhatTheLibraryMakes)
+{
+    const Ogre::MeshPtr mesh = mSubject->mesh();
+    const Result<LodReport> report = ProgressiveMeshGenerator().generateAutoconfiguredLodLevels(mesh);
+    ASSERT_TRUE(report);
+    std::vector<LevelIndices> stored;
+    for (unsigned short level = 1; level < mesh->getNumLodLevels(); ++level)
+        stored.push_back(mSubject->storedLevel(level));
+    mSubject->removeLevels();
+    ASSERT_GT(stored.size(), 2U);
+
+    const std::unique_ptr<Peer> ours = makePeer(kLodsmith);
+    make(*mSubject, find(mAll, "automatic"), *ours);
+    std::vector<LevelIndices> made;
+    for (const PeerLevel& level : ours->levels(*mSubject))
+        if (level.indices != (made.empty() ? originalIndices(mSubject->view()) : made.back()))
+            made.push_back(level.indices);
+    ours->reset(*mSubject);
+    EXPECT_EQ(made, stored);
+}
+
+TEST_F(ConfigurationTest, likeTheClassicOneItMayBeAsFarOffAsThatOneIs)
+{
+    const std::unique_ptr<Peer> ours = makePeer(kLodsmith);
+    const auto most = [&](const char* name, const std::unique_ptr<Peer>& peer) {
+        const Plan plan = make(*mSubject, find(mAll, name), *peer).plan;
+        const std::vector<MeasuredLevel> levels = measureLevels(*mSubject, peer->levels(*mSubject), {});
+        peer->reset(*mSubject);
+        double pixels = 0.0;
+        for (std::size_t i = 0; i < levels.size(); ++i)
+            pixels = std::max(pixels, visiblePixels(*mSubject, plan.levels[i].pixels, levels[i]));
+        return pixels;
+    };
+    const double classic = most("classic", makePeer(kLodsmithCurvature));
+    const double alike = most("automatic-like-classic", ours);
+    EXPECT_LE(alike, classic);
+    EXPECT_GT(alike, most("automatic", ours));
 }
 
 TEST_F(ConfigurationTest, thePlainOneHalvesTrianglesAsTheMeshHalvesItsSize)
 {
     const Plan plan = planOf("plain", kLodsmith);
-    ASSERT_EQ(plan.size(), 3U);
+    ASSERT_EQ(plan.levels.size(), 3U);
     double share = 0.5;
-    for (const PlannedLevel& level : plan) {
+    for (const PlannedLevel& level : plan.levels) {
         EXPECT_NEAR(level.target.amount, share * mSubject->triangles(), 1.0);
         EXPECT_NEAR(std::sqrt(level.pixels / std::acos(-1.0)), share * 540.0, 1e-9);
         share /= 2.0;

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
+
 namespace lodsmith::benchmarks {
 
 namespace {
@@ -100,6 +102,27 @@ TEST_F(LabCommandTest, showsViewsAndTablesAsMarkdown)
     EXPECT_EQ(tables.exitCode, 0) << tables.err;
     for (const char* heading : {"## Time", "## Memory", "## Faults", "## Visible error", "## Worst cases"})
         EXPECT_THAT(tables.out, HasSubstr(heading));
+}
+
+TEST_F(LabCommandTest, plotsAreThereWhenTheirLevelsAre)
+{
+    Work work;
+    work.generators = "lodsmith,lodsmith-curvature";
+    work.configurations = "classic";
+    work.rounds = "1";
+    ASSERT_EQ(runLodsmith(runWords("a.db", work)).exitCode, 0);
+    const Outcome tooEarly = runLodsmith({"plots", path("a.db"), "-o", path("")});
+    EXPECT_EQ(tooEarly.exitCode, 1);
+    EXPECT_THAT(tooEarly.err, HasSubstr("nothing on \"all nine candidates"));
+    EXPECT_FALSE(std::filesystem::exists(path("automatic-triangles.svg")));
+
+    work.configurations = "candidates";
+    ASSERT_EQ(runLodsmith(runWords("a.db", work)).exitCode, 0);
+    const Outcome plots = runLodsmith({"plots", path("a.db"), "-o", path("")});
+    EXPECT_EQ(plots.exitCode, 0) << plots.err;
+    EXPECT_TRUE(std::filesystem::exists(path("automatic-triangles.svg")));
+    EXPECT_TRUE(std::filesystem::exists(path("automatic-error.svg")));
+    EXPECT_EQ(runLodsmith({"plots", path("a.db"), "-o", path("nowhere")}).exitCode, 2);
 }
 
 TEST_F(LabCommandTest, viewsAndLabelsThatAreNotThereAreNamed)

@@ -195,31 +195,94 @@ SELECT label, machine, configuration_id * 1000000 + min(run_id) AS position, con
 FROM result_level WHERE visible_px IS NOT NULL AND NOT skipped
 GROUP BY label, machine, configuration_id, generator;
 
--- Triangles drawn, on average over all distances from where the mesh fills a height of 1080 pixels to 50 times as far.
-CREATE VIEW triangles_drawn AS
-WITH step AS (
-    SELECT label, machine, configuration_id, configuration, generator, mesh_id, mesh_triangles, run_id, level, triangles,
-        min(50.0, max(1.0, 540.0 / sqrt(pixels / pi()))) AS begin
+-- When levels take over, as the radius on screen in pixels: as they say, and ("moved") where they would be one pixel off, which
+-- is what makes levels comparable that were shown at different errors. Of levels that are within a pixel, the one with the
+-- fewest triangles is shown. Level 0 is there from the beginning.
+CREATE VIEW appearance AS
+WITH said AS (
+    SELECT label, machine, configuration_id, configuration, generator, mesh_id, mesh_triangles, run_id, triangles,
+        sqrt(pixels / pi()) AS radius, visible_px
     FROM result_level WHERE pixels > 0
+),
+shown AS (
+    SELECT label, machine, configuration_id, configuration, generator, mesh_id, mesh_triangles, run_id, triangles, radius, 0 AS moved
+    FROM said
     UNION ALL
-    SELECT label, machine, configuration_id, configuration, generator, mesh_id, mesh_triangles, run_id, 0, mesh_triangles, 1.0
-    FROM result_level WHERE pixels > 0 AND level = 1
-),
-span AS (
-    SELECT *, lead(begin, 1, 50.0) OVER (PARTITION BY run_id ORDER BY level) - begin AS length FROM step
-),
-drawn AS (
     SELECT label, machine, configuration_id, configuration, generator, mesh_id, mesh_triangles, run_id,
-        sum(triangles * length) / 49.0 AS triangles
-    FROM span GROUP BY run_id
+        min(triangles) OVER (PARTITION BY run_id ORDER BY radius / max(visible_px, 1e-3) DESC),
+        radius / max(visible_px, 1e-3), 1
+    FROM said
+    UNION ALL
+    SELECT label, machine, configuration_id, configuration, generator, mesh_id, mesh_triangles, run_id, mesh_triangles, 1e9, moved
+    FROM (SELECT DISTINCT label, machine, configuration_id, configuration, generator, mesh_id, mesh_triangles, run_id FROM said),
+        (SELECT 0 AS moved UNION ALL SELECT 1)
 )
-SELECT a.label, a.machine, a.configuration_id * 1000000 + min(a.run_id) AS position, a.configuration, a.generator,
-    count(*) AS meshes, round(exp(avg(ln(a.triangles / a.mesh_triangles))), 4) AS "share of the original",
-    round(exp(avg(ln(a.triangles / b.triangles))), 3) AS "over ogre-curvature, classic"
+SELECT * FROM shown;
+
+-- Triangles drawn, as shares of the mesh's own, over distances from where its radius is 512 pixels on: on average over the doublings until it is
+-- 1.4 pixels (what one mesh costs, wherever the camera may be), and over all distances up to 50 times as far (many copies in a row).
+CREATE VIEW drawn AS
+WITH span AS (
+    SELECT *,
+        ln(max(1.4142, min(512.0, radius)) / max(1.4142, min(512.0, lead(radius, 1, 0.0) OVER shown))) AS doublings,
+        min(50.0, max(1.0, 512.0 / max(1e-9, lead(radius, 1, 0.0) OVER shown))) - min(50.0, max(1.0, 512.0 / radius)) AS distances
+    FROM appearance
+    WINDOW shown AS (PARTITION BY run_id, moved ORDER BY radius DESC)
+)
+SELECT label, machine, configuration_id, configuration, generator, mesh_id, run_id, moved,
+    sum(1.0 * triangles / mesh_triangles * doublings) / ln(512.0 / 1.4142) AS over_doublings,
+    sum(1.0 * triangles / mesh_triangles * distances) / 49.0 AS over_distances
+FROM span GROUP BY label, machine, configuration_id, generator, mesh_id, run_id, moved;
+
+CREATE VIEW triangles_drawn AS
+SELECT a.label, a.machine, (a.configuration_id * 1000000 + min(a.run_id)) * 2 + a.moved AS position,
+    a.configuration || CASE a.moved WHEN 1 THEN ', moved to 1 px' ELSE '' END AS levels, a.generator, count(*) AS meshes,
+    round(exp(avg(ln(a.over_doublings))), 3) AS "share of the original, by doublings",
+    round(exp(avg(ln(a.over_doublings / b.over_doublings))), 3) AS "over lodsmith-curvature, classic",
+    round(exp(avg(ln(a.over_distances))), 3) AS "share of the original, by distance",
+    round(exp(avg(ln(a.over_distances / b.over_distances))), 3) AS "over lodsmith-curvature, classic, by distance"
 FROM drawn AS a LEFT JOIN drawn AS b
     ON a.label = b.label AND a.machine = b.machine AND a.mesh_id = b.mesh_id AND b.configuration = 'classic'
-    AND b.generator = 'ogre-curvature'
+    AND b.generator = 'lodsmith-curvature' AND b.moved = 0
+GROUP BY a.label, a.machine, a.configuration_id, a.generator, a.moved;
+
+-- What levels cost that say when they appear: how many there are, their index buffers over the mesh's own triangles, and the time to make
+-- them over that of the same generator's four halvings.
+CREATE VIEW cost_of_levels AS
+WITH of_run AS (
+    SELECT run_id, sum(NOT skipped) AS levels, 1.0 * sum(CASE WHEN skipped THEN 0 ELSE triangles END) / max(mesh_triangles) AS indices
+    FROM result_level WHERE pixels > 0 GROUP BY run_id
+)
+SELECT a.label, a.machine, a.configuration_id * 1000000 + min(a.run_id) AS position, a.configuration, a.generator,
+    count(*) AS meshes, round(avg(levels), 1) AS levels, round(avg(indices), 2) AS "indices over the mesh's",
+    CASE WHEN a.configuration NOT LIKE '%-%' THEN round(exp(avg(ln(a.ms / b.ms))), 2) END AS "time over that of halvings",
+    CASE WHEN a.configuration NOT LIKE '%-%' THEN round(max(a.ms / b.ms), 1) END AS "at most"
+FROM result AS a JOIN of_run ON of_run.run_id = a.run_id
+    LEFT JOIN result AS b ON a.label = b.label AND a.machine = b.machine AND a.mesh_id = b.mesh_id
+        AND a.generator = b.generator AND b.configuration = 'halvings'
 GROUP BY a.label, a.machine, a.configuration_id, a.generator;
+
+-- The levels that appear at a size on screen: what is left, and how far it is off.
+CREATE VIEW by_size AS
+WITH level_at AS (
+    SELECT label, machine, configuration_id, configuration, generator, sqrt(pixels / pi()) AS radius,
+        100.0 * triangles / mesh_triangles AS left_over, visible_px
+    FROM result_level WHERE pixels > 0 AND visible_px IS NOT NULL
+        AND configuration IN ('candidates', 'classic', 'plain')
+),
+ordered AS (
+    SELECT *, round(radius) AS size, count(*) OVER same AS meshes,
+        row_number() OVER (PARTITION BY label, machine, configuration_id, generator, round(radius) ORDER BY left_over) AS by_left,
+        row_number() OVER (PARTITION BY label, machine, configuration_id, generator, round(radius) ORDER BY visible_px) AS by_error
+    FROM level_at WINDOW same AS (PARTITION BY label, machine, configuration_id, generator, round(radius))
+)
+SELECT label, machine, configuration_id * 1000000000 + (dense_rank() OVER (ORDER BY generator)) * 10000000 + 10000 - size AS position,
+    configuration, generator, size AS "radius on screen", meshes,
+    round(min(left_over), 2) AS "% left, least", round(max(CASE by_left WHEN (meshes + 1) / 2 THEN left_over END), 2) AS "median",
+    round(max(left_over), 1) AS "most",
+    round(min(visible_px), 2) AS "px off, least", round(max(CASE by_error WHEN (meshes + 1) / 2 THEN visible_px END), 2) AS "px, median",
+    round(max(visible_px), 2) AS "px, most"
+FROM ordered GROUP BY label, machine, configuration_id, generator, size;
 
 -- Vertex targets that are missed by more than 1%.
 CREATE VIEW missed_targets AS
