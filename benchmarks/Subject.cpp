@@ -172,6 +172,11 @@ std::vector<SubjectSource> scalingSubjects()
     };
 }
 
+SubjectSource hugeSubject()
+{
+    return tessellationSource(Surface::Planet, 10000000, "10M");
+}
+
 namespace {
 
 std::vector<SubjectSource> tessellations()
@@ -203,6 +208,8 @@ SubjectSource sourceFrom(const std::string& origin)
     for (SubjectSource& source : tessellations())
         if (source.origin == origin)
             return std::move(source);
+    if (SubjectSource huge = hugeSubject(); huge.origin == origin)
+        return huge;
     throw std::runtime_error(origin + ": no such mesh");
 }
 

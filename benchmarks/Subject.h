@@ -59,6 +59,9 @@ struct SubjectSource {
 /// The tessellations whose times show how cost grows: one surface from 1k to 1M triangles.
 std::vector<SubjectSource> scalingSubjects();
 
+/// Their surface with 10M triangles, which nobody but us is asked for: OGRE would take minutes.
+SubjectSource hugeSubject();
+
 /// Everything that is measured: the .mesh files under the media directories, then tessellations up to 1M triangles.
 /// @param furtherMedia  besides the project's own media and LODSMITH_EXTRA_MEDIA; directories are searched in depth
 std::vector<SubjectSource> allSubjects(const std::vector<std::string>& furtherMedia);
