@@ -1,7 +1,6 @@
 // Compiled with parts of 64 vertices: what large meshes go through, on small ones.
 
 #include "DeterminismCases.h"
-#include "FailingMemory.h"
 
 #include "Parallel.h"
 #include "Partition.h"
@@ -90,24 +89,6 @@ TEST(Parts, ACancelComesThroughWhileTheyAreWorkedOn)
         canceller.join();
         ASSERT_FALSE(result.ok());
         EXPECT_EQ(result.error().code, ErrorCode::Cancelled);
-    }
-}
-
-TEST(Parts, MemoryThatRunsOutOnAnyThreadIsAnError)
-{
-    const TestMesh mesh = makeTerrain(40);
-    const std::string expected = outcomeOf(mesh, onThreads(2));
-    const MeshView view = mesh.view();
-    const SimplifyOptions options = onThreads(2);
-    bool hasFailed = true;
-    for (long allocations = 0; hasFailed; allocations += 1 + allocations / 8) {
-        allocationsLeft = allocations;
-        const Result<LodChain> result = simplify(view, kDeterminismTargets, options);
-        hasFailed = allocationsLeft.exchange(-1) < 0;
-        if (result.ok()) // it was a thread that could not be started, or none failed
-            EXPECT_EQ(bytesOf(result.value()), expected);
-        else
-            EXPECT_EQ(result.error().code, ErrorCode::OutOfMemory) << allocations;
     }
 }
 
