@@ -83,7 +83,7 @@ bool CollapseCheck::allows(OneRing& ring, std::uint32_t neighbour) const
     if (leavesLine(ring, neighbour))
         return false;
     ring.aimAt(neighbour);
-    if (turnsFaceOver(ring, destination) || (ring.isPosed && turnsFaceOverInPose(ring, neighbour)))
+    if (turnsFaceOver(ring, destination))
         return false;
     const bool hub = mMesh.vertices[destination].liveFaces > kHubFaces;
     if (!hub && isOrdinary(ring, neighbour))
@@ -117,8 +117,10 @@ bool CollapseCheck::turnsFaceOver(const OneRing& ring, std::uint32_t destination
 }
 
 /// What the pose itself has folded, or drawn together to nothing, is not looked at.
-bool CollapseCheck::turnsFaceOverInPose(const OneRing& ring, std::uint32_t neighbour) const
+bool CollapseCheck::allowsInPoses(const OneRing& ring, std::uint32_t neighbour) const
 {
+    if (!ring.isPosed)
+        return true;
     for (std::size_t group = 0; group < mMesh.poses.groups(); ++group) {
         const PosedRing posed(ring, group);
         const Lanes3 whole = posed.wholeArea(), shift = posed.edge(neighbour), there = posed.meanNormal(neighbour);
@@ -128,10 +130,10 @@ bool CollapseCheck::turnsFaceOverInPose(const OneRing& ring, std::uint32_t neigh
             const PosedFace posedFace{cross(second, third), cross(second - shift, third - shift),
                                       there + posed.meanNormal(face.second) + posed.meanNormal(face.third)};
             if (turnsInAnyLane(posedFace, whole, kDrawnTogether * mMesh.faces[face.face].area))
-                return true;
+                return false;
         }
     }
-    return false;
+    return true;
 }
 
 /// The common case, settled without a branch: one closed fan whose neighbours, but for those that a face on the edge shares,

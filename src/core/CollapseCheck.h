@@ -13,13 +13,15 @@ class CollapseCheck {
 public:
     explicit CollapseCheck(CollapseMesh& mesh) : mMesh(mesh) {}
 
-    /// Aims the ring at this neighbour on the way.
+    /// Whether at rest everything stays sound. Aims the ring at this neighbour on the way.
     bool allows(OneRing& ring, std::uint32_t neighbour) const;
+
+    /// Whether no pose has a face turned over, either. Takes longer.
+    bool allowsInPoses(const OneRing& ring, std::uint32_t neighbour) const;
 
 private:
     static bool leavesLine(const OneRing& ring, std::uint32_t neighbour);
     bool turnsFaceOver(const OneRing& ring, std::uint32_t destination) const;
-    bool turnsFaceOverInPose(const OneRing& ring, std::uint32_t neighbour) const;
     bool isOrdinary(const OneRing& ring, std::uint32_t neighbour) const;
     bool keepsLink(const OneRing& ring, std::uint32_t neighbour) const;
     bool keepsLinkAtHub(const OneRing& ring, std::uint32_t neighbour) const;

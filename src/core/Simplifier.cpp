@@ -173,8 +173,8 @@ void Simplifier::advance(const CollapseLimits& limits)
         removePiece(limits);
         return;
     }
-    Candidate candidate =
-        stale ? evaluated() : Candidate{static_cast<int>(mRing.find(mMesh, mStates.entries[v].target)), front.cost};
+    Candidate candidate = stale ? evaluated(limits)
+                                : Candidate{static_cast<int>(mRing.find(mMesh, mStates.entries[v].target)), front.cost};
     if (stale && candidate.neighbour >= 0 && !isFront(candidate.cost)) {
         enqueue(candidate);
         return;
@@ -184,10 +184,10 @@ void Simplifier::advance(const CollapseLimits& limits)
         return;
     }
     if (!stale)
-        candidate = evaluated();
+        candidate = evaluated(limits);
     while (candidate.neighbour >= 0 && !allowed(limits, candidate)) {
         mCost->reject(candidate.neighbour);
-        candidate = mCost->cheapest();
+        candidate = cheapestWithin(limits);
     }
     if (candidate.neighbour < 0) {
         removePiece(limits);
@@ -282,29 +282,48 @@ void Simplifier::removePiece(const CollapseLimits& limits)
     }
 }
 
-Candidate Simplifier::evaluated()
+Candidate Simplifier::evaluated(const CollapseLimits& limits)
 {
     mCost->begin(mMesh, mRing);
     if (mRing.isBorder()) // spares the costs of collapses that are sure to be refused
         for (std::uint32_t i = 0; i < mRing.neighbourCount; ++i)
             if (mRing.neighbours[i].faces != 1)
                 mCost->reject(static_cast<int>(i));
-    return mCost->cheapest();
+    return cheapestWithin(limits);
 }
 
+/// No candidate when the cheapest one is too dear: so are the others, then.
+Candidate Simplifier::cheapestWithin(const CollapseLimits& limits)
+{
+    const Candidate cheapest = mCost->cheapest();
+    return cheapest.neighbour < 0 || withinLength(limits, cheapest) ? cheapest : Candidate{};
+}
+
+/// From the cheapest question to the dearest.
 bool Simplifier::allowed(const CollapseLimits& limits, const Candidate& candidate)
 {
-    return mCheck.allows(mRing, static_cast<std::uint32_t>(candidate.neighbour)) && withinLimits(limits, candidate);
+    const auto neighbour = static_cast<std::uint32_t>(candidate.neighbour);
+    return withinLength(limits, candidate) && mCheck.allows(mRing, neighbour) && withinDeviation(limits, neighbour)
+           && mCheck.allowsInPoses(mRing, neighbour);
 }
 
-bool Simplifier::withinLimits(const CollapseLimits& limits, const Candidate& candidate)
+bool Simplifier::withinLength(const CollapseLimits& limits, const Candidate& candidate)
 {
-    mPatchDeviation.evaluate(mRing, mMesh, static_cast<std::uint32_t>(candidate.neighbour));
     mLength = mCost->lengthOf(candidate.cost, mMesh, mRing);
-    if (mPatchDeviation.largest() <= limits.deviation && mLength <= limits.length)
-        return true;
+    return mLength <= limits.length || refuse(mLength);
+}
+
+bool Simplifier::withinDeviation(const CollapseLimits& limits, std::uint32_t neighbour)
+{
+    mPatchDeviation.evaluate(mRing, mMesh, neighbour);
+    return mPatchDeviation.largest() <= limits.deviation || refuse(std::max(mPatchDeviation.largest(), mLength));
+}
+
+/// @param needed a limit below which it would be refused again
+bool Simplifier::refuse(double needed)
+{
     mOutcome.heldByLimit = true;
-    mNeeded = std::min(mNeeded, std::max(mPatchDeviation.largest(), mLength));
+    mNeeded = std::min(mNeeded, needed);
     return false;
 }
 
@@ -368,7 +387,7 @@ StopReason Simplifier::whyStuck(std::uint32_t vertex)
         return StopReason::Locked;
     if (mRing.build(mMesh, vertex))
         for (std::uint32_t i = 0; i < mRing.neighbourCount; ++i)
-            if (!mWedges.build(mMesh, mRing, i) && mCheck.allows(mRing, i))
+            if (!mWedges.build(mMesh, mRing, i) && mCheck.allows(mRing, i) && mCheck.allowsInPoses(mRing, i))
                 return StopReason::Seam;
     return StopReason::Topology;
 }

@@ -36,7 +36,7 @@ struct VertexLocks {
 struct CollapseOutcome {
     double largestDeviation = 0.0; ///< of all collapses, scaled
     double largestLength = 0.0;    ///< their costs as lengths, scaled
-    bool heldByLimit = false;      ///< some collapse was refused by the limits alone
+    bool heldByLimit = false;      ///< some collapse was refused by the limits, whatever else may be against it
     bool heldBySize = false;       ///< some piece was larger than what is left to take away
     bool heldByScope = false;      ///< some piece waits until the mesh is looked at as a whole
 
@@ -121,9 +121,12 @@ private:
     double importanceOfPiece() const;
     double collapsesSaved(const CollapseLimits& limits) const;
     void removePiece(const CollapseLimits& limits);
-    Candidate evaluated();
+    Candidate evaluated(const CollapseLimits& limits);
+    Candidate cheapestWithin(const CollapseLimits& limits);
     bool allowed(const CollapseLimits& limits, const Candidate& candidate);
-    bool withinLimits(const CollapseLimits& limits, const Candidate& candidate);
+    bool withinLength(const CollapseLimits& limits, const Candidate& candidate);
+    bool withinDeviation(const CollapseLimits& limits, std::uint32_t neighbour);
+    bool refuse(double needed);
     /// Whether a collapse may go ahead although others look cheaper by less than half: looking at those first costs more
     /// evaluations than it gains.
     bool isFront(float cost) { return cost <= 1.5f * (mQueue.empty() ? mScope.cost : mQueue.top().cost); }
