@@ -3,7 +3,6 @@
 #include <lodsmith/analysis/Deviation.h>
 #include <lodsmith/core/Simplify.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace lodsmith::cli {
@@ -16,17 +15,12 @@ constexpr std::uint32_t kSamples = 10000;
 // A plot does not go on where there is nothing left to see.
 constexpr double kFewestTriangles = 8.0;
 
-std::vector<LevelTarget> fallingCounts(const MeshView& mesh)
+/// Deviations that double up to half the radius, as automatic levels have them, and then all that goes.
+std::vector<LevelTarget> risingDeviations(double radius)
 {
-    double indices = 0.0;
-    for (const SubMeshView& subMesh : mesh.subMeshes)
-        indices += subMesh.indexCount;
-    const double triangles = std::floor(indices / 3.0);
-    const double fewest = std::min(kFewestTriangles, triangles);
     std::vector<LevelTarget> targets;
-    for (int i = 1; i <= kPoints && triangles > 0.0; ++i)
-        targets.push_back({LevelTarget::Kind::Triangles,
-                           std::floor(triangles * std::pow(fewest / triangles, static_cast<double>(i) / kPoints))});
+    for (int i = kPoints; i >= 1 && radius > 0.0; --i)
+        targets.push_back({LevelTarget::Kind::Deviation, std::ldexp(radius, -i)});
     targets.push_back({LevelTarget::Kind::Triangles, 0.0});
     return targets;
 }
@@ -81,7 +75,10 @@ Result<std::vector<CurvePoint>> measure(const MeshView& mesh, const LodChain& ch
 
 Result<LevelCurve> levelCurve(const MeshView& mesh)
 {
-    const std::vector<LevelTarget> targets = fallingCounts(mesh);
+    const Result<LodChain> asItIs = simplify(mesh, {});
+    if (!asItIs)
+        return asItIs.error();
+    const std::vector<LevelTarget> targets = risingDeviations(asItIs.value().radius);
     const Result<LodChain> chain = simplify(mesh, targets);
     if (!chain)
         return chain.error();

@@ -13,8 +13,7 @@ namespace lodsmith::cli {
 
 /// What a mesh can be simplified to.
 struct LevelCurve {
-    /// Maximum deviation, measured, world units, at triangle counts that fall by the same factor each; the mesh itself
-    /// first.
+    /// Maximum deviation, measured, world units, and triangles at bounds on it that double each time; the mesh itself first.
     std::vector<CurvePoint> measured;
     /// How many times as many triangles its texture seams and other attributes cost at equal deviation, >= 0; about 1
     /// when none.
