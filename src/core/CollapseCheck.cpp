@@ -62,10 +62,10 @@ bool turnsInAnyLane(const PosedFace& face, const Lanes3& whole, float leastArea)
     const Lanes sizeBefore = sqrt(dot(face.before, face.before)), sizeAfter = sqrt(dot(face.after, face.after));
     int turned = 0;
     for (std::size_t i = 0; i < Poses::kLanes; ++i) {
-        const bool counts = (agreement[i] > 0.0f) & (sizeBefore[i] > leastArea);
-        const bool holds = (along[i] > float(kLeastCosine) * sizeBefore[i] * sizeAfter[i])
-                           & (back[i] >= -float(kAgainstInPose) * sizeAfter[i]);
-        turned |= int(counts) & int(!holds);
+        const int counts = int(agreement[i] > 0.0f) & int(sizeBefore[i] > leastArea);
+        const int holds = int(along[i] > float(kLeastCosine) * sizeBefore[i] * sizeAfter[i])
+                          & int(back[i] >= -float(kAgainstInPose) * sizeAfter[i]);
+        turned |= counts & (holds ^ 1);
     }
     return turned != 0;
 }
