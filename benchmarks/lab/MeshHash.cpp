@@ -69,6 +69,9 @@ void addVertices(Hasher& hasher, const VertexBufferView& buffer)
     hasher.number(buffer.offsets.size());
     for (const FloatStream& offsets : buffer.offsets)
         hasher.stream(offsets, count, 3);
+    hasher.number(buffer.poses.size());
+    for (const FloatStream& pose : buffer.poses)
+        hasher.stream(pose, count, 3);
     hasher.stream(buffer.importance, count, 1);
 }
 

@@ -49,7 +49,9 @@ std::vector<Scope> scopesOf(Database& database, const std::string& label)
         if (wanted.empty())
             session << "SELECT coalesce((SELECT label FROM result ORDER BY run_id DESC LIMIT 1), '')", into(wanted);
         const soci::rowset<std::string> machines =
-            (session.prepare << "SELECT DISTINCT machine FROM result WHERE label = :label", use(wanted));
+            (session.prepare
+                 << "SELECT machine FROM result WHERE label = :label GROUP BY machine ORDER BY max(run_id) DESC",
+             use(wanted));
         for (const std::string& machine : machines)
             scopes.push_back({wanted, machine});
     });

@@ -122,6 +122,9 @@ void BatchRunner::startMore(const std::vector<BatchJob>& jobs)
         }
         mProgress.passed();
         mOutcomes[mNextToStart].emplace(std::move(*known));
+        // To know takes a while, too: those that run are heard in between.
+        for (const Running& running : mRunning)
+            running.child->pump();
     }
 }
 

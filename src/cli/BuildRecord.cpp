@@ -118,7 +118,7 @@ std::optional<BuildRecord> readRecord(const fs::path& output)
     const RelativePaths paths(output);
     try {
         const Json json = readJson(output);
-        if (!json.is_object() || json.at("format") != kFormat || !json.contains("result"))
+        if (!json.is_object() || json.at("format") != kFormat || !json.at("result").at("levels").is_array())
             return std::nullopt;
         BuildRecord record;
         record.version = json.at("version").get<std::string>();

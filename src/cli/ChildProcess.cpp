@@ -163,11 +163,12 @@ bool ChildProcess::pump()
 {
     receive(mResult);
     receive(mMessages);
-    if (mLimits.seconds > 0.0 && seconds() > mLimits.seconds && !mOverTime) {
+    const bool isAtWork = mResult.descriptor >= 0 || mMessages.descriptor >= 0;
+    if (isAtWork && mLimits.seconds > 0.0 && seconds() > mLimits.seconds && !mOverTime) {
         mOverTime = true;
         ::kill(mId, SIGKILL);
     }
-    return mResult.descriptor >= 0 || mMessages.descriptor >= 0;
+    return isAtWork;
 }
 
 void ChildProcess::receive(Pipe& pipe)

@@ -245,7 +245,10 @@ void resolveLimits(GenerateArguments& arguments)
     constexpr std::uint64_t kMib = std::uint64_t(1) << 20;
     const bool measures = arguments.settings.repeat > 1;
     arguments.batch.workers = arguments.jobs > 0 ? arguments.jobs : measures ? 1 : usableProcessors();
-    arguments.batch.memoryBytes = arguments.memoryMib > 0 ? kMib * arguments.memoryMib : availableMemory() / 4 * 3;
+    if (arguments.memoryMib > 0)
+        arguments.batch.memoryBytes = kMib * arguments.memoryMib;
+    else if (const auto available = availableMemory())
+        arguments.batch.memoryBytes = std::max<std::uint64_t>(1, *available / 4 * 3); // 0 would be no bound
 }
 
 void resolve(GenerateArguments& arguments, const CLI::App& command)

@@ -94,11 +94,15 @@ SheetRow labelOf(const std::vector<SeenLevel>& seen, unsigned level)
     row.lines.push_back(triangles);
     if (level == 0)
         return row;
-    row.lines.push_back("appears at a radius of " + fixed(one.switchRadius, 0) + " px,");
-    row.lines.push_back("at a distance of " + formatNumber(one.switchDistance, 4));
-    addDifference(row, "There, from the original", one.atSwitch);
-    addSilhouette(row, one.atSwitch.lit);
-    addDifference(row, "Popping, from level " + std::to_string(level - 1), one.popping);
+    if (one.appears()) {
+        row.lines.push_back("appears at a radius of " + fixed(one.switchRadius, 0) + " px,");
+        row.lines.push_back("at a distance of " + formatNumber(one.switchDistance, 4));
+        addDifference(row, "There, from the original", one.atSwitch);
+        addSilhouette(row, one.atSwitch.lit);
+        addDifference(row, "Popping, from level " + std::to_string(level - 1), one.popping);
+    } else {
+        row.lines.push_back("appears nowhere in sight");
+    }
     addDifference(row, "Close up, from the original", one.closeUp);
     addSilhouette(row, one.closeUp.lit);
     return row;
@@ -117,7 +121,7 @@ Result<SheetRow> rowOf(LevelRenderer& renderer, const std::vector<SeenLevel>& se
     const Viewpoint near = renderer.closeUp(direction(), options.closeUpSize);
     for (const bool atSwitch : {false, true})
         for (const Paint paint : {Paint::Own, Paint::Checker}) {
-            if (atSwitch && level == 0)
+            if (atSwitch && !seen[level].appears())
                 continue;
             const Result<Viewpoint> far =
                 atSwitch ? renderer.atSwitch(level, direction(), options.screen) : Result<Viewpoint>(near);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 
 namespace lodsmith::cli {
 
@@ -9,7 +10,7 @@ namespace lodsmith::cli {
 unsigned usableProcessors();
 
 /// Bytes of memory that are free for programs, or that the control groups (version 2) of this process leave it, whichever is
-/// less; 0 when the system does not tell. `root` is where /proc and /sys are.
-std::uint64_t availableMemory(const std::filesystem::path& root = "/");
+/// less; nothing when the system does not tell. `root` is where /proc and /sys are.
+std::optional<std::uint64_t> availableMemory(const std::filesystem::path& root = "/");
 
 } // namespace lodsmith::cli

@@ -225,7 +225,8 @@ private:
     std::optional<Error> addFaces(int number, const Index* indices)
     {
         const SubMeshView& subMesh = mView.subMeshes[static_cast<std::size_t>(number)];
-        for (std::uint32_t first = 0; first + 2 < subMesh.indexCount; first += 3 * kBlock) {
+        for (std::uint32_t first = 0; subMesh.indexCount - first > 2;
+             first += std::min(subMesh.indexCount - first, 3 * kBlock)) {
             const std::uint32_t end = first + std::min(subMesh.indexCount - first, 3 * kBlock);
             for (std::uint32_t at = first; at < end; ++at)
                 prefetchWedge(subMesh.vertexBuffer, indices[at]);

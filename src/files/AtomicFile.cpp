@@ -2,7 +2,9 @@
 
 #include <cerrno>
 #include <chrono>
+#include <cstdint>
 #include <cstring>
+#include <sstream>
 #include <utility>
 
 #include <fcntl.h>
@@ -20,6 +22,22 @@ constexpr std::chrono::hours kAbandonedAge{1};
 constexpr const char* kIsThere = "is there already";
 constexpr std::string_view kPrefix = ".lodsmith-";
 constexpr std::string_view kSuffix = ".tmp";
+
+/// Tells the processes of this machine, or container, from those of others that see the same directories, where the same
+/// process numbers mean somebody else. FNV-1a of the host's name and the namespace of process numbers.
+std::string machineMark()
+{
+    char host[256] = {};
+    ::gethostname(host, sizeof host - 1);
+    struct stat processes = {};
+    ::stat("/proc/self/ns/pid", &processes);
+    std::uint64_t hash = 0xcbf29ce484222325;
+    for (const char c : host + ('/' + std::to_string(processes.st_ino)))
+        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+    std::ostringstream digits;
+    digits << std::hex << hash;
+    return digits.str();
+}
 
 /// New files get what the umask leaves, replaced ones keep their permissions.
 mode_t permissionsFor(const fs::path& target)
@@ -123,7 +141,8 @@ Result<Done> AtomicFile::checkTarget(const fs::path& target, Existing existing)
 
 std::string AtomicFile::temporaryPrefix(pid_t writer)
 {
-    return std::string(kPrefix) + std::to_string(writer) + "-";
+    static const std::string here = std::string(kPrefix) + machineMark() + '-';
+    return here + std::to_string(writer) + '-';
 }
 
 void AtomicFile::removeLeftovers(const fs::path& directory, pid_t writer)

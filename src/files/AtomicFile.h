@@ -43,7 +43,8 @@ public:
     /// is no regular file (which is never replaced).
     static Result<Done> checkTarget(const std::filesystem::path& target, Existing existing);
 
-    /// What the names of the temporary files of process `writer` begin with, and those of its temporary directories.
+    /// What the names of the temporary files of process `writer` of this machine begin with, and those of its temporary
+    /// directories. Other machines may write into the same directories.
     static std::string temporaryPrefix(pid_t writer);
 
     /// Removes the temporary files and directories that process `writer`, which has ended, left in a directory.

@@ -328,6 +328,7 @@ MeshView FoliageLevel::view(const MeshView& original) const
     for (std::size_t i = 0; i < view.vertexBuffers.size(); ++i) {
         VertexBufferView& buffer = view.vertexBuffers[i];
         buffer.positions = {positions[i].data(), 3 * sizeof(float)};
+        buffer.poses.clear(); // which show the leaves as they were
         for (std::size_t k = 0; k < buffer.offsets.size(); ++k)
             buffer.offsets[k] = {offsets[i][k].data(), 3 * sizeof(float)};
     }

@@ -10,7 +10,6 @@ namespace lodsmith::generators {
 namespace {
 
 constexpr double kOne = 1 << 20; // gains are whole numbers: their sums are exact and fast
-constexpr int kRounds = 1;
 
 /// A way to keep a leaf.
 struct Option {
@@ -35,10 +34,8 @@ public:
 
     void choose()
     {
-        for (int round = 0; round < kRounds && !stopped(); ++round) {
-            addGreedily();
-            reconsider();
-        }
+        addGreedily();
+        reconsider();
         addGreedily();
     }
 

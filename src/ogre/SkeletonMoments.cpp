@@ -41,6 +41,15 @@ void addMoments(const Ogre::Skeleton& skeleton, std::vector<PoseMoment>& moments
     }
 }
 
+/// Whether the skeleton has every bone that an animation moves: one of another skeleton, linked to this one, may move more.
+bool fits(const Ogre::Animation& animation, const Ogre::Skeleton& skeleton)
+{
+    const auto& bones = skeleton.getBones();
+    const auto& tracks = animation._getNodeTrackList();
+    return std::all_of(tracks.begin(), tracks.end(),
+                       [&](const auto& track) { return track.first < bones.size() && bones[track.first]; });
+}
+
 bool isFinite(const Ogre::Affine3& transform)
 {
     for (std::size_t row = 0; row < 3; ++row)
@@ -79,7 +88,7 @@ bool SkeletonMoments::at(const PoseMoment& moment, Bones& bones)
 {
     const Ogre::LinkedSkeletonAnimationSource* linked = nullptr;
     Ogre::Animation* animation = mBones->_getAnimationImpl(moment.name, &linked);
-    if (!animation)
+    if (!animation || !fits(*animation, *mBones))
         return false;
     mBones->reset(true);
     animation->apply(mBones.get(), moment.seconds, 1, linked ? linked->scale : Ogre::Real(1));

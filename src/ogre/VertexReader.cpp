@@ -9,6 +9,7 @@
 #include <OgrePose.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <memory>
@@ -165,18 +166,24 @@ void readBones(const VertexSource& source, Blocks& blocks, VertexBufferView& vie
         return;
     BoneInfluences* bones = addBlock<BoneInfluences>(blocks, view.vertexCount);
     std::uninitialized_fill_n(bones, view.vertexCount, BoneInfluences{});
-    std::size_t astray = 0;
+    std::size_t astray = 0, weightless = 0;
     for (const auto& [key, assignment] : *source.bones) {
         const std::size_t vertex = assignment.vertexIndex - source.vertices->vertexStart;
-        if (vertex < view.vertexCount)
-            addInfluence(bones[vertex], assignment.boneIndex, static_cast<float>(assignment.weight));
-        else
+        const auto weight = static_cast<float>(assignment.weight);
+        if (vertex >= view.vertexCount)
             ++astray;
+        else if (!std::isfinite(weight))
+            ++weightless;
+        else
+            addInfluence(bones[vertex], assignment.boneIndex, weight);
     }
     std::for_each(bones, bones + view.vertexCount, normaliseInfluences);
     view.bones = bones;
     if (astray > 0)
         notes.push_back(std::to_string(astray) + " bone assignments name no vertex and were ignored");
+    if (weightless > 0)
+        notes.push_back(std::to_string(weightless)
+                        + " bone assignments have a weight that is no number and were ignored");
 }
 
 float* addOffsets(PoseMoment moment, Blocks& blocks, ReadVertices& read)

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -182,7 +183,8 @@ bool LevelRenderer::Parts::renderableQueued(Ogre::Renderable* part, Ogre::uint8,
     *technique = mMaterials.techniqueFor(mPaint, *part, own);
     if (*technique != own && !hasNormals(*part))
         *technique = mMaterials.techniqueFor(Paint::Plain, *part, own);
-    else if (*technique != own && CutOutMaterials::hasHoles(*own))
+    else if ((mPaint == Paint::Own || mPaint == Paint::Grey || mPaint == Paint::Checker) && *technique != own
+             && CutOutMaterials::hasHoles(*own))
         *technique = mCutOuts.techniqueFor(*own, mPaint == Paint::Checker ? mMaterials.checker() : nullptr);
     mIsBlended = mIsBlended || (*technique)->isTransparent();
     return true;
@@ -271,6 +273,9 @@ Result<Viewpoint> LevelRenderer::atSwitch(unsigned level, const Ogre::Vector3& d
     const Result<double> distance = switchDistance(*mParts->mesh(), level, direction, screen);
     if (!distance)
         return distance.error();
+    if (!std::isfinite(distance.value()))
+        return Error{ErrorCode::Unsupported, "level " + std::to_string(level) + " appears nowhere in sight",
+                     mParts->mesh()->getName()};
     return Viewpoint{Ogre::Vector3::ZERO, direction, distance.value(), screen};
 }
 

@@ -3,6 +3,7 @@
 #include <lodsmith/render/LevelRenderer.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace lodsmith {
 
@@ -56,7 +57,7 @@ public:
     {
     }
 
-    Result<Done> look(const Ogre::Vector3& direction)
+    Result<Done> look(const Ogre::Vector3& direction, const std::vector<SeenLevel>& seen)
     {
         const Viewpoint near = mRenderer.closeUp(direction, mOptions.closeUpSize);
         const Result<Image> original = mRenderer.picture(0, mPaint, near);
@@ -67,6 +68,8 @@ public:
             if (!closeUp)
                 return closeUp.error();
             mLevels[level].closeUp.add(original.value(), closeUp.value());
+            if (!seen[level].appears())
+                continue;
             if (auto compared = compareAtSwitch(level, direction); !compared)
                 return compared;
         }
@@ -122,6 +125,8 @@ Result<std::vector<SeenLevel>> levelsOf(const LevelRenderer& renderer, const Scr
             const Result<double> distance = switchDistance(*renderer.mesh(), i, direction, screen);
             if (!distance)
                 return distance.error();
+            if (!std::isfinite(distance.value()))
+                break;
             const bool isFirst = level.switchDistance == 0;
             level.switchDistance = isFirst ? distance.value() : std::min(level.switchDistance, distance.value());
             level.switchRadius = pixelsOf(radius, level.switchDistance, screen);
@@ -144,7 +149,7 @@ Result<std::vector<SeenLevel>> measureSeenLevels(LevelRenderer& renderer, const 
         for (PaintComparison* paint : {&lit, &checker}) {
             if (progress && progress->cancelled())
                 return Error{ErrorCode::Cancelled, "cancelled"};
-            if (const Result<Done> looked = paint->look(direction); !looked)
+            if (const Result<Done> looked = paint->look(direction, levels.value()); !looked)
                 return looked.error();
             if (progress)
                 progress->report(++done / static_cast<float>(2 * kDirections));

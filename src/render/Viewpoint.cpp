@@ -1,5 +1,7 @@
 #include <lodsmith/render/Viewpoint.h>
 
+#include <lodsmith/ogre/SwitchDistance.h>
+
 #include <OgreLodStrategy.h>
 
 #include <algorithm>
@@ -17,12 +19,6 @@ Ogre::Vector3 directionOf(double azimuth, double elevation)
     return Ogre::Vector3(static_cast<Ogre::Real>(std::sin(across) * std::cos(up)),
                          static_cast<Ogre::Real>(std::sin(up)),
                          static_cast<Ogre::Real>(std::cos(across) * std::cos(up)));
-}
-
-/// Where a sphere of this radius has a disc of so many pixels.
-double distanceOfPixels(double pixels, double radius, const Screen& screen)
-{
-    return pixelsOf(radius, 1.0, screen) / std::sqrt(pixels / kPi);
 }
 
 /// Where a box is so far away from a camera that goes away from the origin.
@@ -63,22 +59,13 @@ Result<double> switchDistance(const Ogre::Mesh& mesh, unsigned level, const Ogre
     if (level == 0 || level >= mesh.getNumLodLevels())
         return Error{ErrorCode::InvalidSetting, "there is no switch to level " + std::to_string(level), mesh.getName()};
     const auto value = static_cast<double>(mesh.getLodLevel(static_cast<Ogre::ushort>(level)).userValue);
-    const auto radius = static_cast<double>(mesh.getBoundingSphereRadius());
-    const Ogre::String& strategy = mesh.getLodStrategy()->getName();
-    double distance = 0;
-    if (strategy == "pixel_count")
-        distance = distanceOfPixels(value, radius, screen);
-    else if (strategy == "screen_ratio_pixel_count")
-        distance = distanceOfPixels(value * screen.width * screen.height, radius, screen);
-    else if (strategy == "distance_sphere")
-        distance = std::hypot(value, radius);
-    else if (strategy == "distance_box")
-        distance = distanceFromBox(value, mesh.getBounds(), direction);
-    else
-        return Error{ErrorCode::Unsupported, "where levels switch by the strategy \"" + strategy + "\" is not known",
-                     mesh.getName()};
-    if (!(distance > 0) || !std::isfinite(distance))
-        return Error{ErrorCode::Unsupported, "level " + std::to_string(level) + " appears nowhere in sight",
+    const bool isOfBox = mesh.getLodStrategy()->getName() == "distance_box";
+    const Result<double> distance =
+        isOfBox && value >= 0.0 && std::isfinite(value)
+            ? distanceFromBox(value, mesh.getBounds(), direction)
+            : switchDistance(mesh, value, View{double(screen.width), double(screen.height), screen.fieldOfView});
+    if (distance && !(distance.value() > 0.0))
+        return Error{ErrorCode::Unsupported, "level " + std::to_string(level) + " appears inside the mesh",
                      mesh.getName()};
     return distance;
 }

@@ -1,5 +1,7 @@
 #include "BatchRunner.h"
 
+#include "../../src/files/AtomicFile.h"
+
 #include "support/TestDirectory.h"
 
 #include <gmock/gmock.h>
@@ -217,7 +219,7 @@ TEST(BatchRunner, whatADeadChildLeftIsSwept)
 {
     const lodsmith::test::TestDirectory directory;
     BatchJob dying = job("a", [&](Progress&) -> Result<Json> {
-        directory.write(".lodsmith-" + std::to_string(::getpid()) + "-0.tmp", "half");
+        directory.write(AtomicFile::temporaryPrefix(::getpid()) + "0.tmp", "half");
         ::raise(SIGKILL);
         return Json();
     });

@@ -35,12 +35,14 @@ TEST(MachineLimits, theTightestControlGroupBinds)
     EXPECT_EQ(availableMemory(root.path()), 200000u);
     root.write("sys/fs/cgroup/job/step/memory.current", "250000\n");
     EXPECT_EQ(availableMemory(root.path()), 0u);
+    root.write("sys/fs/cgroup/job/step/memory.stat", "anon 90000\ninactive_anon 1\ninactive_file 160000\n");
+    EXPECT_EQ(availableMemory(root.path()), 110000u) << "what was read from files can be dropped";
 }
 
 TEST(MachineLimits, aSystemThatDoesNotTellHasNoNumber)
 {
     const TestDirectory root;
-    EXPECT_EQ(availableMemory(root.path()), 0u);
+    EXPECT_EQ(availableMemory(root.path()), std::nullopt);
 }
 
 TEST(MachineLimits, thisMachineTells)

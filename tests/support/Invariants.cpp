@@ -4,7 +4,9 @@
 #include "WeldedMesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -363,11 +365,40 @@ void checkCountTarget(LevelCheck& check, const LevelTarget& target, const LodCha
     check.require(count >= std::min(start, std::floor(goal)) - slack, "went beyond ", goal, ", to ", count);
 }
 
-/// A reported deviation has the rounding behind it added (LodChain.h), which a target has not.
-void checkBoundTarget(LevelCheck& check, const LevelTarget& target, const LodChainLevel& level, const Before& before,
-                      double radius)
+/// What a reported deviation has added (LodChain.h) and a target has not: rounding, and how far vertices may be apart in a pose that
+/// count as one; here no more is asked than that they are in one place at rest.
+double allowanceFor(const Input& input, double radius)
 {
-    const double rounding = 1.01e-7 * radius;
+    struct Box {
+        double low[3] = {1e300, 1e300, 1e300}, high[3] = {-1e300, -1e300, -1e300};
+    };
+    double motion = 0.0, apart = 0.0;
+    for (std::size_t pose = 0; pose < poseCount(input.mesh); ++pose) {
+        const MeshView posed = inPose(input.mesh, pose);
+        std::map<std::array<float, 3>, Box> boxes; // by position at rest
+        for (const auto& [subMesh, vertex] : input.used) {
+            const std::size_t buffer = input.mesh.subMeshes[subMesh].vertexBuffer;
+            std::array<float, 3> from, to;
+            input.mesh.vertexBuffers[buffer].positions.read(vertex, 3, from.data());
+            posed.vertexBuffers[buffer].positions.read(vertex, 3, to.data());
+            motion =
+                std::max(motion, std::hypot(double{to[0]} - from[0], double{to[1]} - from[1], double{to[2]} - from[2]));
+            Box& box = boxes[from];
+            for (std::size_t i = 0; i < 3; ++i) {
+                box.low[i] = std::min<double>(box.low[i], to[i]);
+                box.high[i] = std::max<double>(box.high[i], to[i]);
+            }
+        }
+        for (const auto& [position, box] : boxes)
+            apart = std::max(apart,
+                             std::hypot(box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]));
+    }
+    return 1.01e-7 * (radius + motion) + 2.0 * apart;
+}
+
+void checkBoundTarget(LevelCheck& check, const LevelTarget& target, const LodChainLevel& level, const Before& before,
+                      double rounding)
+{
     const bool isDeviation = target.kind == LevelTarget::Kind::Deviation;
     const double value = isDeviation ? level.deviation : level.cost;
     const double least = isDeviation ? before.deviation : before.cost;
@@ -428,6 +459,7 @@ std::vector<std::string> brokenInvariants(const MeshView& mesh, const std::vecto
         return broken;
 
     const PositionSet locked = lockedPositions(input, options);
+    const double allowance = allowanceFor(input, chain.radius);
     const std::vector<Triangle> original = corners(input.atRest.triangles, input.welded);
     Before before{countPositions(input.atRest.triangles), static_cast<std::uint32_t>(input.atRest.triangles.size()),
                   0.0, 0.0};
@@ -440,7 +472,7 @@ std::vector<std::string> brokenInvariants(const MeshView& mesh, const std::vecto
         if (isCount(targets[i].kind))
             checkCountTarget(levelCheck, targets[i], chain, level, before, largestStep(input, level));
         else
-            checkBoundTarget(levelCheck, targets[i], level, before, chain.radius);
+            checkBoundTarget(levelCheck, targets[i], level, before, allowance);
         if (level.skipped) {
             levelCheck.require(level.triangles == before.triangles, "skipped, with other triangles: ", level.triangles);
             for (const std::vector<std::uint32_t>& list : level.indices)

@@ -65,7 +65,7 @@ struct FoliageLevels {
 /// leaves, which have at least half of its surface, and none more than a fifth of theirs.
 ///
 /// Errors: InvalidSetting (leafOpacity out of range; leafSubMeshes neither empty nor as long as the submeshes) and
-/// those of simplify(). Deterministic. Thread-safe; uses the calling thread only; throws nothing.
+/// those of simplify(). Deterministic. Thread-safe, with the threads of FoliageOptions::simplify; throws nothing.
 ///
 /// @param triangles for each level how many it may have at most, not rising; rising ones are misuse
 /// @param progress  may be null

@@ -56,7 +56,7 @@ public:
     /// @param size pixels of the screen, 32 and up
     Viewpoint closeUp(const Ogre::Vector3& direction, unsigned size) const;
 
-    /// From where OGRE switches to a level on its way away from the mesh. Errors: those of switchDistance().
+    /// From where OGRE switches to a level on its way away from the mesh. Errors: those of switchDistance(), Unsupported (it never does).
     Result<Viewpoint> atSwitch(unsigned level, const Ogre::Vector3& direction, const Screen& screen = {}) const;
 
 private:

@@ -34,11 +34,14 @@ struct PaintedDifference {
 /// What a level looks like.
 struct SeenLevel {
     std::size_t triangles = 0;
-    double switchDistance = 0.0; ///< world units from the mesh's origin; of all directions the shortest. 0 for level 0
-    double switchRadius = 0.0;   ///< pixels of the mesh's bounding radius there
-    PaintedDifference atSwitch;  ///< from level 0, where the level appears
-    PaintedDifference popping;   ///< from the level before, where the level appears: what a player sees change
-    PaintedDifference closeUp;   ///< from level 0, seen so near that it fills the picture
+    /// World units from the mesh's origin; of all directions the shortest. 0 for level 0, and for one that never appears.
+    double switchDistance = 0.0;
+    double switchRadius = 0.0;  ///< pixels of the mesh's bounding radius there
+    PaintedDifference atSwitch; ///< from level 0, where the level appears; none where it never does
+    PaintedDifference popping;  ///< from the level before, where the level appears: what a player sees change
+    PaintedDifference closeUp;  ///< from level 0, seen so near that it fills the picture
+
+    bool appears() const { return switchDistance > 0.0; } ///< false for level 0, which is there from the beginning
 };
 
 struct SeenOptions {

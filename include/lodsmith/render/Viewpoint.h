@@ -37,12 +37,10 @@ constexpr std::size_t kViewDirections = 8;
 LODSMITH_API const std::array<Ogre::Vector3, kViewDirections>& viewDirections();
 
 /// Where OGRE switches to a level when the camera goes away from the mesh's origin: world units between the two, with
-/// the mesh at its own size. Errors: InvalidSetting (no such level, or level 0), Unsupported (the strategy is none of
-/// OGRE's four; the level is nowhere reached, as with a value of 0 pixels).
-///
-/// pixel_count and screen_ratio_pixel_count: where a disc of the mesh's bounding radius covers that many pixels.
-/// distance_sphere: where the squares of the value and of the bounding radius sum to that of the distance.
-/// distance_box: where the bounds are that far from the camera, which depends on the direction.
+/// the mesh at its own size; infinite for a level that is nowhere reached, as with a value of 0 pixels. As
+/// switchDistance() in lodsmith/ogre/SwitchDistance.h, except that distance_box looks in a direction: where the bounds are
+/// that far from the camera there. Errors: those of the other one, InvalidSetting (no such level, or level 0), Unsupported (the
+/// level is there at any distance).
 /// @param direction from the origin to the camera, of length 1
 LODSMITH_API Result<double> switchDistance(const Ogre::Mesh& mesh, unsigned level, const Ogre::Vector3& direction,
                                            const Screen& screen = {});

@@ -160,7 +160,8 @@ void addSeenRows(const Json& record, LevelRows& rows)
         return;
     const auto add = [&](const char* name, const char* moment, const char* figure, std::string (*format)(double)) {
         rows.push_back({name, [&seen, moment, figure, format](std::size_t i) {
-                            return i == 0 ? "–" : orDash(seen[i][moment]["lit"][figure], format);
+                            const Json& there = seen[i][moment];
+                            return i == 0 || there.is_null() ? "–" : orDash(there["lit"][figure], format);
                         }});
     };
     add("Likeness <small>SSIM with level 0, where it appears</small>", "at_switch", "ssim", shortNumber);

@@ -126,7 +126,10 @@ void Warnings::level(std::size_t number)
 
 void Warnings::coverage(std::size_t number)
 {
-    const Json& share = mRecord["seen"][number]["at_switch"]["lit"]["coverage"];
+    const Json& there = mRecord["seen"][number]["at_switch"];
+    if (there.is_null())
+        return; // it never appears
+    const Json& share = there["lit"]["coverage"];
     if (share.is_number() && share.get<double>() < kLeastCoverage)
         add("thins_out", number,
             "Level " + std::to_string(number) + " covers only " + formatNumber(100.0 * share.get<double>(), 3)

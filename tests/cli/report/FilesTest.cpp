@@ -123,8 +123,9 @@ TEST(TemporaryDirectory, ofAProcessThatDiedIsSweptAway)
     directory.write(name + "abc/deep/a.mesh", "a");
     directory.write(name + "1.tmp", "a");
     directory.write(AtomicFile::temporaryPrefix(dead + 1) + "abc/a.mesh", "another's");
+    directory.write(".lodsmith-0-" + std::to_string(dead) + "-1.tmp", "another machine's");
     AtomicFile::removeLeftovers(directory.path(), dead);
-    EXPECT_EQ(directory.files().size(), 1u);
+    EXPECT_EQ(directory.files().size(), 2u);
 }
 
 } // namespace lodsmith::cli
