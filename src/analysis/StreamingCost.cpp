@@ -185,6 +185,9 @@ Result<StreamingCost> streamingCost(const std::vector<CostedLevel>& levels, cons
     countTriangles(levels, settings, result);
     if (levels.front().bytes <= 0.0 || (settings.freeWithoutLowest && levels.back().bytes <= 0.0))
         makeFree(result);
+    if (!std::isfinite(result.cost) || !std::isfinite(result.weightedTriangles))
+        return Error{ErrorCode::InvalidSetting,
+                     "the cost is too large for a number: a constant is far too small or large"};
     return result;
 }
 

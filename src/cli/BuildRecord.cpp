@@ -4,6 +4,7 @@
 #include "OutputDirectories.h"
 
 #include <OgrePrerequisites.h>
+#include <algorithm>
 
 #include <cstdio>
 
@@ -127,7 +128,10 @@ std::optional<BuildRecord> readRecord(const fs::path& output)
         record.read = paths.hashes(json.at("read"));
         record.written = paths.hashes(json.at("written"));
         record.result = json.at("result");
-        return record;
+        const bool isOfOutput = std::any_of(record.written.begin(), record.written.end(), [&](const auto& file) {
+            return file.first.filename() == output.filename();
+        });
+        return isOfOutput && record.read.count(record.input) > 0 ? std::optional(std::move(record)) : std::nullopt;
     } catch (const Json::exception&) {
         return std::nullopt;
     }

@@ -25,6 +25,7 @@ struct GenerateSettings {
     std::vector<LevelSpec> levels; ///< empty for the automatic configuration
     std::string strategy;          ///< OGRE's name; not used by the automatic configuration
     AutomaticLods automatic;       ///< but for the metric
+    bool saysAutomatic = false;    ///< the command line says what automatic levels are like
     std::optional<Metric> metric;  ///< nothing: quadric, and for the automatic configuration its own
     AttributeWeights weights;
     bool lockBorders = false;

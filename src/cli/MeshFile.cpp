@@ -4,11 +4,15 @@
 #include "MeshStreams.h"
 #include "OgreSession.h"
 
+#include <OgreAnimation.h>
+#include <OgrePose.h>
 #include <OgreSubMesh.h>
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include <sys/stat.h>
@@ -65,8 +69,30 @@ bool canSwap(const Ogre::Mesh& mesh)
     return canSwap(mesh.sharedVertexData);
 }
 
+/// Names end with a line in mesh files. Of those that OGRE would not find again, the first.
+std::optional<std::string> nameOfTwoLines(const Ogre::Mesh& mesh)
+{
+    std::vector<std::string> names{mesh.getSkeletonName()};
+    for (const Ogre::SubMesh* subMesh : mesh.getSubMeshes())
+        names.push_back(subMesh->getMaterialName());
+    for (const auto& [name, number] : mesh.getSubMeshNameMap())
+        names.push_back(name);
+    for (unsigned short level = 1; level < mesh.getNumLodLevels(); ++level)
+        names.push_back(mesh.getLodLevel(level).manualName);
+    for (const Ogre::Pose* pose : mesh.getPoseList())
+        names.push_back(pose->getName());
+    for (unsigned short i = 0; i < mesh.getNumAnimations(); ++i)
+        names.push_back(mesh.getAnimation(i)->getName());
+    const auto found = std::find_if(names.begin(), names.end(),
+                                    [](const std::string& name) { return name.find('\n') != std::string::npos; });
+    return found == names.end() ? std::nullopt : std::optional(*found);
+}
+
 Result<Done> checkFormat(const Ogre::Mesh& mesh, const MeshFormat& format)
 {
+    if (const auto name = nameOfTwoLines(mesh))
+        return withMessage(ErrorCode::Unsupported,
+                           "the name '" + *name + "' has a line end in it, where names end in mesh files");
     if (!holdsLevels(format.version) && mesh.getNumLodLevels() > 1)
         return withMessage(ErrorCode::Unsupported, "OGRE writes no levels of detail in mesh formats 1.0 and 1.4");
     if (swapsBytes(format.endian) && !canSwap(mesh))

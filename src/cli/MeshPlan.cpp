@@ -97,6 +97,8 @@ private:
             return defined.value().leftOut.front();
         mPlan.config = std::move(defined).value().config;
         mPlan.loddef = path.string();
+        if (mSettings.saysAutomatic && !definition.value().automatic)
+            mPlan.notes.push_back(path.string() + " says what levels there are: --automatic and --pixels do not count");
         return Done{};
     }
 

@@ -31,15 +31,17 @@ Result<std::vector<fs::path>> findMeshFiles(const fs::path& directory, const std
     std::vector<fs::path> files;
     std::error_code code;
     fs::recursive_directory_iterator entry(directory, code);
+    fs::path last = directory; // where it is when something is wrong
     for (const fs::recursive_directory_iterator end; !code && entry != end; entry.increment(code)) {
         std::error_code ignored;
+        last = entry->path();
         if (skipped && entry->is_directory(ignored) && identity(entry->path()) == *skipped)
             entry.disable_recursion_pending();
         else if (isMeshName(entry->path()) && !entry->is_directory(ignored))
             files.push_back(entry->path());
     }
     if (code)
-        return Error{ErrorCode::Io, "the directory cannot be read: " + code.message()};
+        return Error{ErrorCode::Io, "the directory cannot be read: " + code.message() + " (" + last.string() + ')'};
     std::sort(files.begin(), files.end());
     return files;
 }

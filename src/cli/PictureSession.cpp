@@ -26,8 +26,11 @@ Result<Done> prepareGroup(const fs::path& mesh, const fs::path& materials)
         groups.createResourceGroup(group, false);
         groups.addResourceLocation(materials.string(), "FileSystem", group);
         groups.initialiseResourceGroup(group);
-        // Now that scripts have been read: those beside the mesh would make the same materials.
+        // Now that scripts have been read, since those beside the mesh would make the same materials; and before the other
+        // one, where files of the same names may be.
+        groups.removeResourceLocation(materials.string(), group);
         groups.addResourceLocation(group, "FileSystem", group);
+        groups.addResourceLocation(materials.string(), "FileSystem", group);
         return Done{};
     });
 }

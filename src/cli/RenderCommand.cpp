@@ -71,7 +71,8 @@ Result<Json> renderFile(const RenderArguments& arguments, Progress& progress)
     return Json{{"automatic", session.value()->hasAutomaticLevels()},
                 {"strategy", renderer.mesh()->getLodStrategy()->getName()},
                 {"radius", renderer.mesh()->getBoundingSphereRadius()},
-                {"levels", seenRecords(*renderer.mesh(), seen.value())}};
+                {"levels", seenRecords(*renderer.mesh(), seen.value())},
+                {"notes", renderer.notes()}};
 }
 
 std::string text(const Json& number)
@@ -86,12 +87,13 @@ std::string report(const Json& record)
     Table table({"level", "triangles", "appears at px", "distance", "largest", "mean", "SSIM", "coverage",
                  "silhouette px", "popping mean", "popping SSIM"});
     for (const Json& level : record["levels"]) {
-        const Json& there = level["at_switch"]["lit"];
-        const Json& popping = level["popping"]["lit"];
+        const auto figure = [&level](const char* moment, const char* name) {
+            return level[moment].is_null() ? "-" : text(level[moment]["lit"][name]);
+        };
         table.add({text(level["level"]), text(level["triangles"]), text(level["switch_radius"]),
-                   text(level["switch_distance"]), text(there["largest"]), text(there["mean"]), text(there["ssim"]),
-                   text(there["coverage"]), text(there["silhouette_distance"]), text(popping["mean"]),
-                   text(popping["ssim"])});
+                   text(level["switch_distance"]), figure("at_switch", "largest"), figure("at_switch", "mean"),
+                   figure("at_switch", "ssim"), figure("at_switch", "coverage"),
+                   figure("at_switch", "silhouette_distance"), figure("popping", "mean"), figure("popping", "ssim")});
     }
     return table.text();
 }

@@ -56,8 +56,14 @@ std::unique_ptr<SkeletonMoments> movableSkeleton(const Ogre::Mesh& mesh, const M
 {
     const Ogre::SkeletonPtr& skeleton = mesh.getSkeleton();
     const std::size_t used = bonesUsed(view);
-    if (!skeleton || !skeleton->isLoaded() || used == 0)
+    if (used == 0)
         return nullptr;
+    if (!skeleton || !skeleton->isLoaded() || skeleton->getNumBones() == 0) {
+        if (mesh.hasSkeleton())
+            notes.push_back("skeleton '" + mesh.getSkeletonName()
+                            + "' is missing or damaged, so its animations do not count");
+        return nullptr;
+    }
     const auto& bones = skeleton->getBones();
     if (used <= bones.size() && std::find(bones.begin(), bones.end(), nullptr) == bones.end())
         return std::make_unique<SkeletonMoments>(skeleton);

@@ -1,5 +1,7 @@
 #include "CutOutMaterials.h"
 
+#include <lodsmith/render/SurfaceMaterials.h>
+
 #include <OgreMaterialManager.h>
 #include <OgrePass.h>
 #include <OgreTechnique.h>
@@ -45,7 +47,7 @@ bool CutOutMaterials::hasHoles(const Ogre::Technique& technique)
         return false;
     const Ogre::Pass& pass = *technique.getPass(0);
     return pass.getAlphaRejectFunction() != Ogre::CMPF_ALWAYS_PASS && pass.getNumTextureUnitStates() > 0
-           && !pass.isProgrammable();
+           && !pass.isProgrammable() && texturesMissing(technique).empty();
 }
 
 Ogre::Technique* CutOutMaterials::techniqueFor(Ogre::Technique& own, const Ogre::TexturePtr& pattern)

@@ -11,15 +11,18 @@
 
 #include <OgreCamera.h>
 #include <OgreEntity.h>
+#include <OgreMaterial.h>
 #include <OgreRenderQueue.h>
 #include <OgreRenderable.h>
 #include <OgreSceneManager.h>
 #include <OgreSceneNode.h>
+#include <OgreSubEntity.h>
 #include <OgreTechnique.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -118,6 +121,18 @@ Image averaged(const Samples& samples, unsigned width, unsigned height)
     return image;
 }
 
+/// What cannot be drawn as it should be of a material.
+void addMaterialNotes(const Ogre::MaterialPtr& material, std::size_t subMesh, std::set<std::string>& notes)
+{
+    if (isStandIn(*material))
+        notes.insert("submesh " + std::to_string(subMesh) + " has no material that is there: drawn grey");
+    material->load();
+    for (const Ogre::Technique* technique : material->getSupportedTechniques())
+        for (const Ogre::TextureUnitState* unit : texturesMissing(*technique))
+            notes.insert("texture '" + unit->getTextureName() + "' of material '" + material->getName()
+                         + "' cannot be read: drawn grey");
+}
+
 } // namespace
 
 class LevelRenderer::Parts : private Ogre::RenderQueue::RenderableListener {
@@ -125,18 +140,18 @@ public:
     explicit Parts(const Ogre::MeshPtr& mesh)
         : mMesh(mesh), mName(nextName()), mMaterials(mName), mCutOuts(mName), mStage(mName), mTarget(mName, mName)
     {
-        mEntity = mStage.scene.createEntity(mesh);
-        mStage.subject.attachObject(mEntity);
         mStage.scene.getRenderQueue()->setRenderableListener(this);
     }
     ~Parts() override { mStage.scene.getRenderQueue()->setRenderableListener(nullptr); }
 
     Result<Done> readLevels();
+    void enterStage();
     Image draw(unsigned level, Paint paint, const Viewpoint& viewpoint);
 
     const Ogre::MeshPtr& mesh() const { return mMesh; }
     const std::vector<Ogre::Vector3>& points() const { return mPoints; }
     const std::vector<std::size_t>& triangles() const { return mTriangles; }
+    const std::vector<std::string>& notes() const { return mNotes; }
 
 private:
     bool renderableQueued(Ogre::Renderable* part, Ogre::uint8, Ogre::ushort, Ogre::Technique** technique,
@@ -155,6 +170,7 @@ private:
     bool mIsBlended = false;            ///< something in the last picture
     std::vector<Ogre::Vector3> mPoints; ///< all that any level draws
     std::vector<std::size_t> mTriangles;
+    std::vector<std::string> mNotes;
 };
 
 Result<Done> LevelRenderer::Parts::readLevels()
@@ -174,6 +190,17 @@ Result<Done> LevelRenderer::Parts::readLevels()
     if (mTriangles.front() == 0)
         return Error{ErrorCode::InvalidGeometry, "has no triangles to take a picture of"};
     return Done{};
+}
+
+/// After readLevels(): OGRE makes an entity of hand-made levels that are not there, and ends with it.
+void LevelRenderer::Parts::enterStage()
+{
+    mEntity = mStage.scene.createEntity(mMesh);
+    mStage.subject.attachObject(mEntity);
+    std::set<std::string> notes;
+    for (std::size_t i = 0; i < mEntity->getNumSubEntities(); ++i)
+        addMaterialNotes(mEntity->getSubEntity(i)->getMaterial(), i, notes);
+    mNotes.assign(notes.begin(), notes.end());
 }
 
 bool LevelRenderer::Parts::renderableQueued(Ogre::Renderable* part, Ogre::uint8, Ogre::ushort,
@@ -234,6 +261,7 @@ Result<std::unique_ptr<LevelRenderer>> LevelRenderer::create(const Ogre::MeshPtr
         auto parts = std::make_unique<Parts>(mesh);
         if (const Result<Done> read = parts->readLevels(); !read)
             return read.error();
+        parts->enterStage();
         return std::unique_ptr<LevelRenderer>(new LevelRenderer(std::move(parts)));
     });
 }
@@ -241,6 +269,11 @@ Result<std::unique_ptr<LevelRenderer>> LevelRenderer::create(const Ogre::MeshPtr
 const Ogre::MeshPtr& LevelRenderer::mesh() const
 {
     return mParts->mesh();
+}
+
+const std::vector<std::string>& LevelRenderer::notes() const
+{
+    return mParts->notes();
 }
 
 unsigned LevelRenderer::levels() const

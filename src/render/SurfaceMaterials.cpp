@@ -60,13 +60,6 @@ bool isSeenFromBothSides(const Ogre::Technique* technique)
     return technique && technique->getNumPasses() > 0 && technique->getPass(0)->getCullingMode() == Ogre::CULL_NONE;
 }
 
-/// Whether OGRE put it in the place of a material that is missing or cannot be used.
-bool isStandIn(const Ogre::Technique* technique)
-{
-    const Ogre::String& name = technique->getParent()->getName();
-    return name == "BaseWhite" || name == "BaseWhiteNoLighting";
-}
-
 } // namespace
 
 SurfaceMaterials::SurfaceMaterials(const Ogre::String& group) : mGroup(group)
@@ -145,7 +138,8 @@ void SurfaceMaterials::makeCheckerTexture()
 
 Ogre::Technique* SurfaceMaterials::techniqueFor(Paint paint, Ogre::Renderable& part, Ogre::Technique* own) const
 {
-    if (own->getParent() == mVertexColours.get() || (paint == Paint::Own && !isStandIn(own)))
+    if (own->getParent() == mVertexColours.get()
+        || (paint == Paint::Own && !isStandIn(*own->getParent()) && texturesMissing(*own).empty()))
         return own;
     Ogre::RenderOperation operation;
     part.getRenderOperation(operation);
@@ -157,6 +151,21 @@ Ogre::Technique* SurfaceMaterials::techniqueFor(Paint paint, Ogre::Renderable& p
     else if (paint == Paint::Checker && has(operation.vertexData, Ogre::VES_TEXTURE_COORDINATES))
         sides = &mChecker;
     return (isSeenFromBothSides(own) ? sides->both : sides->front)->getTechnique(0);
+}
+
+bool isStandIn(const Ogre::Material& material)
+{
+    return material.getName() == "BaseWhite" || material.getName() == "BaseWhiteNoLighting";
+}
+
+std::vector<const Ogre::TextureUnitState*> texturesMissing(const Ogre::Technique& technique)
+{
+    std::vector<const Ogre::TextureUnitState*> missing;
+    for (const Ogre::Pass* pass : technique.getPasses())
+        for (const Ogre::TextureUnitState* unit : pass->getTextureUnitStates())
+            if (unit->isTextureLoadFailing())
+                missing.push_back(unit);
+    return missing;
 }
 
 bool hasTextureCoordinates(const Ogre::Mesh& mesh)

@@ -311,8 +311,15 @@ TEST_F(GenerateAgainTest, aDamagedRecordMeansMakingItAgain)
     torus("in/a.mesh");
     made();
     const std::string name = "out/.lodsmith/a.mesh.json", text = contentOf(in(name));
-    for (const std::string& damaged : {std::string(), text.substr(0, text.size() / 2), std::string("[]"),
-                                       std::string("{\"format\":1}"), std::string("{\"format\":1,\"result\":0}")}) {
+    std::vector<std::string> records{"", text.substr(0, text.size() / 2), "[]", "{\"format\":1}",
+                                     "{\"format\":1,\"result\":0}"};
+    for (const char* member : {"result", "read", "written", "input"})
+        for (const char* value : {"null", "true", "1", "\"text\"", "[]", "[1]", "{}"}) {
+            nlohmann::json record = nlohmann::json::parse(text);
+            record[member] = nlohmann::json::parse(value);
+            records.push_back(record.dump());
+        }
+    for (const std::string& damaged : records) {
         mDirectory.write(name, damaged);
         EXPECT_THAT(made(), ElementsAre(true)) << damaged;
         EXPECT_EQ(contentOf(in(name)), text);

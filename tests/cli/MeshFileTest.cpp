@@ -64,6 +64,25 @@ TEST(MeshFile, formatsWithoutLevelsRefuseMeshesThatHaveSome)
               ErrorCode::Unsupported);
 }
 
+TEST(MeshFile, namesOfTwoLinesAreRefusedSinceOneEndsAName)
+{
+    const TestDirectory directory;
+    const std::string path = directory.write("torus.mesh", torusMesh(8));
+    OgreSession session;
+    const Ogre::MeshPtr mesh = session.load(path).value();
+    const MeshFormat format{Ogre::MESH_VERSION_1_10, Ogre::Serializer::ENDIAN_NATIVE};
+    ASSERT_TRUE(meshBytes(*mesh, format));
+    const std::string before = mesh->getSubMesh(0)->getMaterialName();
+    mesh->getSubMesh(0)->setMaterialName("two\nlines");
+    EXPECT_THAT(describe(meshBytes(*mesh, format).error()), HasSubstr("'two\nlines'"));
+    mesh->getSubMesh(0)->setMaterialName(before);
+    mesh->_setLodInfo(2);
+    Ogre::MeshLodUsage usage;
+    usage.manualName = "a\nb.mesh";
+    mesh->_setLodUsage(1, usage);
+    EXPECT_THAT(describe(meshBytes(*mesh, format).error()), HasSubstr("'a\nb.mesh'"));
+}
+
 TEST(MeshFile, vertexElementsThatOgreCannotTurnAreRefusedBeforeItDies)
 {
     const TestDirectory directory;

@@ -196,6 +196,47 @@ TEST_F(RenderCommandTest, takesMaterialsFromAnotherDirectory)
     EXPECT_THAT(outcome.err, HasSubstr("lodsmith: " + in("nowhere") + ": no such directory"));
 }
 
+TEST_F(RenderCommandTest, takesNothingButMaterialsFromThere)
+{
+    mDirectory.write("paint/lods.mesh", test::torusMesh(12));
+    const nlohmann::json record =
+        render({mLods, "-o", in("sheet.png"), "--json", "--materials", in("paint")}).records().at(0);
+    EXPECT_EQ(record["automatic"], false);
+    ASSERT_EQ(record["levels"].size(), 3u);
+    EXPECT_EQ(record["levels"][0]["triangles"], test::torusTriangles(24));
+}
+
+TEST_F(RenderCommandTest, texturesThatAreNotThereAreGreyAndNoted)
+{
+    const auto closeUp = [&](const std::string& material, const std::vector<std::string>& notes) {
+        mDirectory.write("stone.material", material);
+        const nlohmann::json record = render({mLods, "-o", in("sheet.png"), "--json", "--force"}).records().at(0);
+        EXPECT_EQ(record["error"], nullptr);
+        EXPECT_EQ(record["notes"], nlohmann::json(notes));
+        return record["levels"][2]["close_up"]["lit"];
+    };
+    const nlohmann::json none = closeUp("", {"submesh 0 has no material that is there: drawn grey"});
+    const nlohmann::json missing =
+        closeUp("material Stone\n{\ntechnique\n{\npass\n{\ntexture_unit\n{\ntexture gone.png\n}\n}\n}\n}\n",
+                {"texture 'gone.png' of material 'Stone' cannot be read: drawn grey"});
+    EXPECT_EQ(missing, none);
+}
+
+TEST_F(RenderCommandTest, aHandMadeLevelThatIsNotThereIsNamed)
+{
+    mDirectory.write("flat.mesh", test::torusMesh(8));
+    const std::string mesh = in("hand.mesh");
+    ASSERT_EQ(runLodsmith({"generate", mMesh, "-o", mesh, "--levels", "150:mesh:" + in("flat.mesh")}).exitCode, 0);
+    for (const char* content : {"", "no mesh"}) {
+        mDirectory.write("flat.mesh", content);
+        const Outcome outcome = render({mesh, "-o", in("sheet.png")});
+        EXPECT_EQ(outcome.exitCode, 1);
+        EXPECT_THAT(outcome.err, HasSubstr("level 1: the mesh 'flat.mesh' is not there"));
+    }
+    std::filesystem::remove(in("flat.mesh"));
+    EXPECT_THAT(render({mesh, "-o", in("sheet.png")}).err, HasSubstr("level 1: the mesh 'flat.mesh' is not there"));
+}
+
 TEST_F(RenderCommandTest, overwritesOnRequestAlone)
 {
     mDirectory.write("sheet.png", "mine");

@@ -70,6 +70,20 @@ protected:
         return mesh;
     }
 
+    /// A skeleton that is linked to "other.skeleton", as OGRE has it from files: it follows links from these alone.
+    Ogre::SkeletonPtr writeAndLoad(const Ogre::SkeletonPtr& skeleton, const Ogre::SkeletonPtr& other)
+    {
+        Ogre::SkeletonSerializer serializer;
+        serializer.exportSkeleton(other.get(), (mSession.directory() / "other.skeleton").string());
+        serializer.exportSkeleton(skeleton.get(), (mSession.directory() / "linked.skeleton").string());
+        auto& resources = Ogre::ResourceGroupManager::getSingleton(); // lists a location once, when it is added
+        resources.removeResourceLocation(mSession.directory().string(), mSession.group());
+        resources.addResourceLocation(mSession.directory().string(), "FileSystem", mSession.group());
+        auto& skeletons = Ogre::SkeletonManager::getSingleton();
+        skeletons.load("linked.skeleton", mSession.group());
+        return skeletons.getByName("linked.skeleton", mSession.group());
+    }
+
     static MeshData read(const Ogre::MeshPtr& mesh, const std::vector<PoseMoment>* poses = nullptr)
     {
         Result<MeshData> data = MeshReader::read(*mesh, {}, poses);
@@ -260,18 +274,37 @@ TEST_F(PoseReaderTest, LinkedSkeletonsAnimateToo)
     const Ogre::SkeletonPtr other = makeSkeleton("other"), skeleton = makeSkeleton();
     addAnimation(*other, "bend", {{0, 0}, {1, 90}});
     skeleton->addLinkedSkeletonAnimationSource("other.skeleton");
-    Ogre::SkeletonSerializer serializer; // OGRE follows links of skeletons from files alone
-    serializer.exportSkeleton(other.get(), (mSession.directory() / "other.skeleton").string());
-    serializer.exportSkeleton(skeleton.get(), (mSession.directory() / "linked.skeleton").string());
-    auto& resources = Ogre::ResourceGroupManager::getSingleton(); // lists a location once, when it is added
-    resources.removeResourceLocation(mSession.directory().string(), mSession.group());
-    resources.addResourceLocation(mSession.directory().string(), "FileSystem", mSession.group());
-    auto& skeletons = Ogre::SkeletonManager::getSingleton();
-    skeletons.load("linked.skeleton", mSession.group());
-    const MeshData data = read(makeTube(skeletons.getByName("linked.skeleton", mSession.group())));
+    const MeshData data = read(makeTube(writeAndLoad(skeleton, other)));
     ASSERT_FALSE(data.poses().empty());
     EXPECT_EQ(data.poses()[0].name, "bend");
     EXPECT_EQ(data.poses()[0].seconds, 1.0f);
+}
+
+TEST_F(PoseReaderTest, LinkedAnimationsOfBonesThatAreNotThereDoNotCount)
+{
+    const Ogre::SkeletonPtr other = makeSkeleton("other"), skeleton = makeSkeleton();
+    other->getBone(1)->createChild(2, Ogre::Vector3(0, 0, 1));
+    other->setBindingPose();
+    addAnimation(*other, "bend", {{0, 0}, {1, 90}});
+    other->getAnimation("bend")->createNodeTrack(2, other->getBone(2))->createNodeKeyFrame(0);
+    skeleton->addLinkedSkeletonAnimationSource("other.skeleton");
+    const Ogre::SkeletonPtr linked = writeAndLoad(skeleton, other);
+    EXPECT_THAT(read(makeTube(linked)).poses(), IsEmpty());
+}
+
+TEST_F(PoseReaderTest, WeightsThatAreNoNumbersAreIgnored)
+{
+    const Ogre::SkeletonPtr skeleton = makeSkeleton();
+    addAnimation(*skeleton, "bend", {{0, 0}, {1, 90}});
+    const Ogre::MeshPtr mesh = makeTube(skeleton);
+    const std::size_t before = read(mesh).poses().size();
+    for (const float weight : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()})
+        mesh->getSubMesh(0)->addBoneAssignment({0, 60000, weight});
+    const MeshData data = read(mesh);
+    EXPECT_EQ(data.poses().size(), before);
+    EXPECT_THAT(data.notes(), ElementsAre(HasSubstr("2 bone assignments have a weight that is no number")));
+    for (int i = 0; i < 4; ++i)
+        EXPECT_LT(data.view().vertexBuffers[0].bones[0].bone[i], 2);
 }
 
 TEST_F(PoseReaderTest, TheSkeletonOfOthersStaysAsItIs)
@@ -287,8 +320,10 @@ TEST_F(PoseReaderTest, WithoutASkeletonRestIsAll)
 {
     const Ogre::MeshPtr mesh = makeOgreMesh("tube", makeSkinnedTube(16, 16));
     EXPECT_THAT(read(mesh).poses(), IsEmpty());
+    EXPECT_THAT(read(mesh).notes(), IsEmpty());
     mesh->setSkeletonName("nowhere.skeleton");
     EXPECT_THAT(read(mesh).poses(), IsEmpty());
+    EXPECT_THAT(read(mesh).notes(), ElementsAre(HasSubstr("skeleton 'nowhere.skeleton' is missing or damaged")));
 }
 
 TEST_F(PoseReaderTest, BonesThatAreMissingAreNoted)

@@ -101,6 +101,26 @@ TEST_F(SeenLevelsTest, PoppingIsFromTheLevelBefore)
     EXPECT_LT(levels[2].triangles, levels[1].triangles);
 }
 
+TEST_F(SeenLevelsTest, ALevelThatNeverAppearsIsSeenCloseUpAlone)
+{
+    const Ogre::MeshPtr mesh = makeOgreMesh("mesh", makeUvSphere(40, 30));
+    LodConfig config = proportional(mesh, {0.8, 0.9});
+    config.strategy = "pixel_count";
+    config.levels[0].value = 1000;
+    config.levels[1].value = 100;
+    ASSERT_TRUE(ProgressiveMeshGenerator().generateLodLevels(config));
+    Ogre::MeshLodUsage last = mesh->getLodLevel(2);
+    last.userValue = 0;
+    mesh->_setLodUsage(2, last);
+    const std::vector<SeenLevel> levels = measure(mesh);
+    ASSERT_EQ(levels.size(), 3u);
+    EXPECT_TRUE(levels[1].appears());
+    EXPECT_FALSE(levels[2].appears());
+    EXPECT_EQ(levels[2].switchRadius, 0);
+    expectNone(levels[2].atSwitch);
+    EXPECT_GT(levels[2].closeUp.lit.mean, 0);
+}
+
 TEST_F(SeenLevelsTest, ACancelledMeasurementSaysSo)
 {
     const auto renderer = LevelRenderer::create(makeOgreMesh("mesh", makeCube()));

@@ -37,6 +37,8 @@ public:
     LevelRenderer& operator=(const LevelRenderer&) = delete;
 
     const Ogre::MeshPtr& mesh() const;
+    /// One sentence for each material and texture that is missing or cannot be read: their parts are drawn grey.
+    const std::vector<std::string>& notes() const;
     /// Level 0 among them.
     unsigned levels() const;
     /// Of a level, hand-made ones too.

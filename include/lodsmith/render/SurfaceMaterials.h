@@ -6,11 +6,13 @@
 #include <OgreMesh.h>
 #include <OgreTexture.h>
 
+#include <vector>
+
 namespace lodsmith {
 
 /// What a surface is painted with.
 enum class Paint {
-    Own,     ///< the mesh's own materials; grey where one is missing or cannot be used
+    Own,     ///< the mesh's own materials; grey where one, or a texture of it, is missing or cannot be used
     Grey,    ///< grey, lit
     Faceted, ///< grey, each triangle in one shade
     Lines,   ///< lines over a surface that hides those behind it
@@ -60,5 +62,11 @@ private:
 
 /// Whether a mesh has texture coordinates to show a checker by, in all its parts.
 LODSMITH_API bool hasTextureCoordinates(const Ogre::Mesh& mesh);
+
+/// Whether OGRE put it in the place of a material that is missing or cannot be used.
+LODSMITH_API bool isStandIn(const Ogre::Material& material);
+
+/// The textures of a technique, once that is loaded, for which OGRE has drawn a warning since it could not read them.
+LODSMITH_API std::vector<const Ogre::TextureUnitState*> texturesMissing(const Ogre::Technique& technique);
 
 } // namespace lodsmith

@@ -82,6 +82,7 @@ Result<Json> takePictures(const PlannedFile& mesh, Progress& progress)
     if (!seen)
         return seen.error();
     record.value()["seen"] = seenRecords(*renderer.mesh(), seen.value());
+    record.value()["notes"] = renderer.notes();
     return record;
 }
 

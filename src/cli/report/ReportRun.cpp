@@ -142,6 +142,7 @@ Json ReportRun::takeFigures(const ReportPage& page, const Result<Json>& outcome)
     mesh.update(outcome.value());
     mesh["no_pictures"] = "there is no X display.";
     mesh["seen"] = nullptr;
+    mesh["picture_notes"] = Json::array();
     return mesh;
 }
 
@@ -154,7 +155,10 @@ void ReportRun::notePictures(Json& mesh, const Result<Json>& outcome)
         mesh["no_pictures"] = outcome.value()["trouble"];
         return;
     }
+    LODSMITH_ASSERT(outcome.value()["seen"].size() == mesh["levels"].size(),
+                    "pictures are of the levels that are judged");
     mesh["seen"] = outcome.value()["seen"];
+    mesh["picture_notes"] = outcome.value()["notes"];
 }
 
 Json ReportRun::take(std::size_t job, const Result<Json>& outcome)

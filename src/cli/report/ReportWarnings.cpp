@@ -23,6 +23,7 @@ public:
     Json all()
     {
         geometry();
+        pictures();
         chain();
         for (std::size_t i = 1; i < mRecord["levels"].size(); ++i)
             level(i);
@@ -36,6 +37,7 @@ private:
     }
 
     void geometry();
+    void pictures();
     void chain();
     void seams();
     void level(std::size_t number);
@@ -75,6 +77,13 @@ void Warnings::geometry()
     if (above(mesh["unreferenced_vertices"], kWastedVertices * mesh["buffer_vertices"].get<double>()))
         add("unused_vertices", nullptr,
             count(mesh["unreferenced_vertices"], "vertex is", "vertices are") + " in the buffers and in no triangle.");
+}
+
+void Warnings::pictures()
+{
+    if (mRecord.contains("picture_notes"))
+        for (const Json& note : mRecord["picture_notes"])
+            add("materials", nullptr, "In the pictures: " + note.get<std::string>() + ".");
 }
 
 void Warnings::chain()
