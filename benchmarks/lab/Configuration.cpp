@@ -85,7 +85,8 @@ Plan planPlain(Subject& subject, const Peer&)
     return plan;
 }
 
-/// The triangle counts at which another generator's halvings arrive, found once a mesh.
+/// The triangle counts at which another generator's halvings arrive, as long as that is where they were to go; found once a
+/// mesh.
 class ArrivalCounts {
 public:
     explicit ArrivalCounts(std::unique_ptr<Peer> reference) : mReference(std::move(reference)) {}
@@ -105,10 +106,21 @@ private:
     {
         mReference->generate(subject, halvings());
         mCounts.clear();
-        for (const PeerLevel& level : mReference->levels(subject))
-            mCounts.push_back(triangleCount(level.indices));
+        const Plan plan = halvings();
+        const std::vector<PeerLevel> levels = mReference->levels(subject);
+        for (std::size_t i = 0; i < levels.size() && arrives(levels[i], plan.levels[i], subject); ++i)
+            mCounts.push_back(triangleCount(levels[i].indices));
         mReference->reset(subject);
         mMesh = subject.mesh();
+    }
+
+    /// A target of vertices is met by what knows no triangles; the others may stop before.
+    bool arrives(const PeerLevel& level, const PlannedLevel& planned, const Subject& subject) const
+    {
+        constexpr double kTolerance = 1.02;
+        return !mReference->knows(LevelTarget::Kind::Triangles)
+               || triangleCount(level.indices)
+                      <= 2.0 + kTolerance * (1.0 - planned.target.amount) * subject.triangles();
     }
 
     std::unique_ptr<Peer> mReference;
@@ -169,6 +181,8 @@ Configuration atCountsOf(const std::string& reference)
     configuration.name = reference + "-counts";
     configuration.rule =
         "triangle counts at which " + reference + " arrives with 50, 75, 87.5 and 93.75% of the vertices removed";
+    if (makePeer(reference)->knows(LevelTarget::Kind::Triangles))
+        configuration.rule += ", until it stops before what was asked";
     // The core's shapes are those of kLodsmith.
     configuration.suits = [](const Peer& generator) { return generator.name() != kLodsmithCore; };
     configuration.plan = [counts](Subject& subject, const Peer& generator) { return counts->plan(subject, generator); };
@@ -202,7 +216,7 @@ Making make(Subject& subject, const Configuration& configuration, Peer& generato
     const auto start = std::chrono::steady_clock::now();
     Plan plan = configuration.plan(subject, generator);
     const std::chrono::duration<double> planning = std::chrono::steady_clock::now() - start;
-    const double seconds = generator.generate(subject, plan);
+    const double seconds = plan.levels.empty() ? 0.0 : generator.generate(subject, plan);
     return {std::move(plan), planning.count(), planning.count() + seconds};
 }
 

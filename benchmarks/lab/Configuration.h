@@ -24,7 +24,7 @@ struct Configuration {
 /// Every configuration, in the order of the tables. A further one needs nothing but its entry here.
 std::vector<Configuration> makeConfigurations();
 
-/// Asks a generator that the configuration suits for its levels, and it makes them.
+/// Asks a generator that the configuration suits for its levels, and it makes them; where the plan has none nothing is made.
 struct Making {
     Plan plan;
     double planning = 0.0; ///< seconds

@@ -53,7 +53,7 @@ RunRecord measureOnce(Subject& subject, const std::string& origin, const Configu
         return record;
     try {
         const Plan plan = make(subject, configuration, generator).plan;
-        const std::vector<PeerLevel> made = generator.levels(subject);
+        const std::vector<PeerLevel> made = plan.levels.empty() ? std::vector<PeerLevel>() : generator.levels(subject);
         generator.reset(subject);
         record.levels = measureMade(subject, plan, made, options);
     } catch (const std::exception& error) {

@@ -138,6 +138,16 @@ TEST_F(ConfigurationTest, atTheCountsOfAnotherEverybodyArrivesWhereThatOneDoes)
         EXPECT_NEAR(triangleCount(levels[i].indices), triangleCount(theirs[i].indices), 2.0);
 }
 
+TEST_F(ConfigurationTest, levelsThatAnotherDoesNotReachAreNotCompared)
+{
+    const std::unique_ptr<Subject> cottage = chosenSubjects({"cottage"}).at(0).load(); // full of seams
+    const std::unique_ptr<Peer> ours = makePeer(kLodsmith);
+    const Making making = make(*cottage, find(mAll, "meshoptimizer-counts"), *ours);
+    EXPECT_TRUE(making.plan.levels.empty());
+    EXPECT_EQ(cottage->mesh()->getNumLodLevels(), 1);
+    EXPECT_EQ(planOf("meshoptimizer-counts", kLodsmith).levels.size(), 4U);
+}
+
 TEST_F(ConfigurationTest, namesAndRulesAreUnique)
 {
     std::set<std::string> names, rules;

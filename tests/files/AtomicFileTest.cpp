@@ -153,11 +153,12 @@ TEST(AtomicFile, runningOutOfSpaceLeavesNothing)
 TEST(AtomicFile, leftoversOfTheDeadAreRemovedAndNoOthers)
 {
     const TestDirectory directory;
-    directory.write(".lodsmith-4711-0.tmp", "half");
-    directory.write(".lodsmith-47110-0.tmp", "of another process");
+    const std::string others = AtomicFile::temporaryPrefix(47110) + "0.tmp";
+    directory.write(AtomicFile::temporaryPrefix(4711) + "0.tmp", "half");
+    directory.write(others, "of another process");
     directory.write("mine", "whole");
     AtomicFile::removeLeftovers(directory.path(), 4711);
-    EXPECT_THAT(directory.files(), ElementsAre(".lodsmith-47110-0.tmp", "mine"));
+    EXPECT_THAT(directory.files(), ElementsAre(others, "mine"));
 }
 
 TEST(AtomicFile, onlyOldTemporaryFilesAreAbandoned)
