@@ -73,9 +73,10 @@ TEST(MeshFile, namesOfTwoLinesAreRefusedSinceOneEndsAName)
     const MeshFormat format{Ogre::MESH_VERSION_1_10, Ogre::Serializer::ENDIAN_NATIVE};
     ASSERT_TRUE(meshBytes(*mesh, format));
     const std::string before = mesh->getSubMesh(0)->getMaterialName();
-    mesh->getSubMesh(0)->setMaterialName("two\nlines");
+    OgreSession::provideMaterial(*mesh, "two\nlines");
+    mesh->getSubMesh(0)->setMaterialName("two\nlines", mesh->getGroup());
     EXPECT_THAT(describe(meshBytes(*mesh, format).error()), HasSubstr("'two\nlines'"));
-    mesh->getSubMesh(0)->setMaterialName(before);
+    mesh->getSubMesh(0)->setMaterialName(before, mesh->getGroup());
     mesh->_setLodInfo(2);
     Ogre::MeshLodUsage usage;
     usage.manualName = "a\nb.mesh";

@@ -283,7 +283,7 @@ TEST_F(PoseReaderTest, LinkedSkeletonsAnimateToo)
 TEST_F(PoseReaderTest, LinkedAnimationsOfBonesThatAreNotThereDoNotCount)
 {
     const Ogre::SkeletonPtr other = makeSkeleton("other"), skeleton = makeSkeleton();
-    other->getBone(1)->createChild(2, Ogre::Vector3(0, 0, 1));
+    other->getBone(1)->addChild(other->createBone("uppermost", 2));
     other->setBindingPose();
     addAnimation(*other, "bend", {{0, 0}, {1, 90}});
     other->getAnimation("bend")->createNodeTrack(2, other->getBone(2))->createNodeKeyFrame(0);
