@@ -60,7 +60,7 @@ Result<double> switchDistance(const Ogre::Mesh& mesh, unsigned level, const Ogre
         return Error{ErrorCode::InvalidSetting, "there is no switch to level " + std::to_string(level), mesh.getName()};
     const auto value = static_cast<double>(mesh.getLodLevel(static_cast<Ogre::ushort>(level)).userValue);
     const bool isOfBox = mesh.getLodStrategy()->getName() == "distance_box";
-    const Result<double> distance =
+    Result<double> distance =
         isOfBox && value >= 0.0 && std::isfinite(value)
             ? distanceFromBox(value, mesh.getBounds(), direction)
             : switchDistance(mesh, value, View{double(screen.width), double(screen.height), screen.fieldOfView});
