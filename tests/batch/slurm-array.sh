@@ -57,7 +57,14 @@ END
 
 node_is_idle() { sinfo --noheader --format=%t | grep -qx idle; }
 queue_is_empty() { [ -z "$(squeue --noheader)" ]; }
-has_begun() { compgen -G "out/*/*.mesh"; }
+# Of the meshes of the task that will be killed, one is done: `part` has them all.
+has_begun() {
+    local mesh
+    for mesh in part/*/*.mesh; do
+        [ ! -e "out/${mesh#part/}" ] || return 0
+    done
+    return 1
+}
 
 # state_of TASK
 state_of() { scontrol show job "$1" 2>/dev/null | sed -n 's/^ *JobState=\([A-Z]*\).*/\1/p' | head -n 1; }
@@ -65,9 +72,10 @@ is_pending() { [ "$(state_of "$1")" = PENDING ]; }
 
 submit() { sbatch --parsable "--array=$1" "$samples/slurm-array.sh" 4 in out; }
 
+lodsmith generate in -o part --shard 2/4 >/dev/null 2>&1 || fail "one machine cannot make a part"
 start_slurm
 job=$(submit 1-4)
-until_true 60 has_begun || fail "no task begins"
+until_true 60 has_begun || fail "the second task makes nothing"
 # Two of the four run at a time, on two processors. One is requeued, the other one killed.
 [ "$(state_of "${job}_1")$(state_of "${job}_2")" = RUNNINGRUNNING ] || fail "the tasks were too fast to be disturbed"
 scontrol requeue "${job}_1"
