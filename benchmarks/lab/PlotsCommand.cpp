@@ -90,8 +90,8 @@ SvgPlot trianglesPlot(session& session, const Scope& scope)
          trianglesLeft(session, scope, kFormula, true)},
         {"the levels of 2012 where they are shown", kShownAsSaid, true, trianglesLeft(session, scope, kFormula, false)},
     };
-    plot.legendX = 0.03;
-    plot.legendY = 0.8;
+    plot.legendX = 0.47;
+    plot.legendY = 0.04;
     return plot;
 }
 
