@@ -64,7 +64,8 @@ private:
         signals.injected.connect([](const Ogre::MeshPtr& mesh, const LodReport& lods) {
             std::cout << mesh->getName() << ": " << lods.triangles;
             for (const LodLevelReport& level : lods.levels)
-                std::cout << ", " << level.triangles;
+                if (!level.skipped)
+                    std::cout << ", " << level.triangles;
             std::cout << " triangles" << std::endl;
         });
         signals.failed.connect(
