@@ -18,6 +18,9 @@ struct MeasuredLevel {
     std::optional<Deviation> deviation; ///< none for a level without triangles
 };
 
+/// Where there are thousands of levels: all vertices are measured besides, so that a fifth of the usual samples is enough.
+inline constexpr DeviationOptions kFewSamples{20000};
+
 /// Measures levels of a subject. Throws std::runtime_error where that is not possible.
 std::vector<MeasuredLevel> measureLevels(const Subject& subject, const std::vector<PeerLevel>& levels,
                                          const DeviationOptions& options);

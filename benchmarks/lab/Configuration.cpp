@@ -143,7 +143,7 @@ private:
     {
         const Plan plan = planClassic(subject, *mClassic);
         mClassic->generate(subject, plan);
-        const std::vector<MeasuredLevel> levels = measureLevels(subject, mClassic->levels(subject), {kSamples});
+        const std::vector<MeasuredLevel> levels = measureLevels(subject, mClassic->levels(subject), kFewSamples);
         mClassic->reset(subject);
         mPixels = AutomaticLods::kMinPixels;
         for (std::size_t i = 0; i < levels.size(); ++i)
@@ -152,8 +152,6 @@ private:
         mPixels = std::min(mPixels, AutomaticLods::kMaxPixels);
         mMesh = subject.mesh();
     }
-
-    static constexpr std::uint32_t kSamples = 20000;
 
     std::unique_ptr<Peer> mClassic = makePeer(kLodsmithCurvature);
     Ogre::MeshPtr mMesh; // kept, so that no other mesh can be at its address

@@ -9,8 +9,7 @@ namespace lodsmith::benchmarks {
 
 struct MeasurementOptions {
     TimingOptions timing;
-    /// All vertices are measured besides, so that a fifth of the usual samples is enough where there are thousands of levels.
-    DeviationOptions deviation = {20000};
+    DeviationOptions deviation = kFewSamples;
 };
 
 /// What the database says of a mesh. Throws std::runtime_error where its statistics cannot be taken.

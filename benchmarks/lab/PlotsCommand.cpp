@@ -50,22 +50,37 @@ PlotAxis sizeAxis(const std::string& label)
     return {label, 600.0, 1.7, true, sizeTicks()};
 }
 
+struct Row {
+    int run = 0;
+    PlotPoint point;
+};
+
+/// @param source three columns of a view, a run, x and y, and the beginning of a condition
+std::vector<Row> rowsOf(session& session, const Scope& scope, const Chain& chain, const std::string& source)
+{
+    Row row;
+    soci::statement statement =
+        (session.prepare << "SELECT " + source
+                                + " AND label = :label AND machine = :machine AND configuration = :configuration "
+                                  "AND generator = :generator ORDER BY 1, 2 DESC",
+         use(scope.label), use(scope.machine), use(chain.configuration), use(chain.generator), into(row.run),
+         into(row.point.x), into(row.point.y));
+    statement.execute();
+    std::vector<Row> rows;
+    while (statement.fetch())
+        rows.push_back(row);
+    return rows;
+}
+
 /// What is left of the meshes as they recede, as the geometric mean of shares of their triangles.
 std::vector<PlotPoint> trianglesLeft(session& session, const Scope& scope, const Chain& chain, bool moved)
 {
     constexpr double kStep = 1.02;
-    int run = 0, wanted = moved;
-    double radius = 0.0, left = 0.0;
+    const std::string source =
+        "run_id, radius, 1.0 * triangles / mesh_triangles FROM appearance WHERE moved = " + std::to_string(int(moved));
     std::map<int, std::map<double, double>> levels; // by run, by radius
-    soci::statement rows =
-        (session.prepare << "SELECT run_id, radius, 1.0 * triangles / mesh_triangles FROM appearance "
-                            "WHERE label = :label AND machine = :machine AND moved = :moved "
-                            "AND configuration = :configuration AND generator = :generator",
-         use(scope.label), use(scope.machine), use(wanted), use(chain.configuration), use(chain.generator), into(run),
-         into(radius), into(left));
-    rows.execute();
-    while (rows.fetch())
-        levels[run][radius] = left;
+    for (const Row& row : rowsOf(session, scope, chain, source))
+        levels[row.run][row.point.x] = row.point.y;
     std::vector<PlotPoint> points;
     for (double size = 600.0; size >= 1.7 && !levels.empty(); size /= kStep) {
         double logarithms = 0.0;
@@ -97,18 +112,11 @@ SvgPlot trianglesPlot(session& session, const Scope& scope)
 
 std::vector<PlotPoint> visibleErrors(session& session, const Scope& scope, const Chain& chain)
 {
-    PlotPoint point;
-    soci::statement rows =
-        (session.prepare << "SELECT sqrt(pixels / pi()), visible_px FROM result_level "
-                            "WHERE label = :label AND machine = :machine AND NOT skipped AND pixels > 0 "
-                            "AND configuration = :configuration AND generator = :generator "
-                            "AND visible_px IS NOT NULL ORDER BY run_id, level",
-         use(scope.label), use(scope.machine), use(chain.configuration), use(chain.generator), into(point.x),
-         into(point.y));
-    rows.execute();
     std::vector<PlotPoint> points;
-    while (rows.fetch())
-        points.push_back(point);
+    for (const Row& row : rowsOf(session, scope, chain,
+                                 "run_id, sqrt(pixels / pi()), visible_px FROM result_level "
+                                 "WHERE NOT skipped AND pixels > 0 AND visible_px IS NOT NULL"))
+        points.push_back(row.point);
     return points;
 }
 

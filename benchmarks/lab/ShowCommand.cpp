@@ -69,8 +69,7 @@ std::vector<Table> benchmarkTables()
          {}},
         {"Triangles drawn",
          "From a radius of 512 pixels on: by doublings of the distance until it is 1.4 pixels, and by distance until "
-         "it is 50 "
-         "times as far. \"Moved\": each level shown from where it is one pixel off.",
+         "it is 50 times as far. \"Moved\": each level shown from where it is one pixel off.",
          "triangles_drawn",
          {}},
         {"Cost of these levels", "", "cost_of_levels", {}},

@@ -4,8 +4,8 @@
 #include "OutputDirectories.h"
 
 #include <OgrePrerequisites.h>
-#include <algorithm>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace fs = std::filesystem;

@@ -253,9 +253,9 @@ void resolveLimits(GenerateArguments& arguments)
 
 void resolve(GenerateArguments& arguments, const CLI::App& command)
 {
-    if (arguments.levels && (command.count("--automatic") > 0 || command.count("--pixels") > 0))
-        throw UsageError("--automatic and --pixels say what automatic levels are like: they do not go with --levels");
     arguments.settings.saysAutomatic = command.count("--automatic") > 0 || command.count("--pixels") > 0;
+    if (arguments.levels && arguments.settings.saysAutomatic)
+        throw UsageError("--automatic and --pixels say what automatic levels are like: they do not go with --levels");
     resolveDefinition(arguments);
     checkWeights(arguments);
     if (!holdsLevels(arguments.settings.write.format.version))

@@ -29,15 +29,18 @@ Json seenRecords(const Ogre::Mesh& mesh, const std::vector<SeenLevel>& levels)
     for (std::size_t i = 0; i < levels.size(); ++i) {
         const SeenLevel& level = levels[i];
         const bool isOriginal = i == 0;
-        const auto known = [&](Json figure) { return level.appears() ? std::move(figure) : Json(); };
+        const auto known = [&](double figure) { return level.appears() ? Json(figure) : Json(); };
+        const auto there = [&](const PaintedDifference& difference) {
+            return isOriginal || level.appears() ? paintedRecord(difference) : Json();
+        };
         records.push_back(
             Json{{"level", i},
                  {"value", isOriginal ? Json() : Json(mesh.getLodLevel(static_cast<Ogre::ushort>(i)).userValue)},
                  {"triangles", level.triangles},
                  {"switch_radius", known(level.switchRadius)},
                  {"switch_distance", known(level.switchDistance)},
-                 {"at_switch", isOriginal ? paintedRecord(level.atSwitch) : known(paintedRecord(level.atSwitch))},
-                 {"popping", isOriginal ? paintedRecord(level.popping) : known(paintedRecord(level.popping))},
+                 {"at_switch", there(level.atSwitch)},
+                 {"popping", there(level.popping)},
                  {"close_up", paintedRecord(level.closeUp)}});
     }
     return records;

@@ -210,7 +210,7 @@ bool LevelRenderer::Parts::renderableQueued(Ogre::Renderable* part, Ogre::uint8,
     *technique = mMaterials.techniqueFor(mPaint, *part, own);
     if (*technique != own && !hasNormals(*part))
         *technique = mMaterials.techniqueFor(Paint::Plain, *part, own);
-    else if ((mPaint == Paint::Own || mPaint == Paint::Grey || mPaint == Paint::Checker) && *technique != own
+    else if ((mPaint == Paint::Grey || mPaint == Paint::Checker) && *technique != own
              && CutOutMaterials::hasHoles(*own))
         *technique = mCutOuts.techniqueFor(*own, mPaint == Paint::Checker ? mMaterials.checker() : nullptr);
     mIsBlended = mIsBlended || (*technique)->isTransparent();

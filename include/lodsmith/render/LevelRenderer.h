@@ -58,7 +58,8 @@ public:
     /// @param size pixels of the screen, 32 and up
     Viewpoint closeUp(const Ogre::Vector3& direction, unsigned size) const;
 
-    /// From where OGRE switches to a level on its way away from the mesh. Errors: those of switchDistance(), Unsupported (it never does).
+    /// From where OGRE switches to a level on its way away from the mesh. Errors: those of switchDistance(), Unsupported (it
+    /// never does).
     Result<Viewpoint> atSwitch(unsigned level, const Ogre::Vector3& direction, const Screen& screen = {}) const;
 
 private:

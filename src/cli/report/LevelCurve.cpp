@@ -73,12 +73,9 @@ Result<std::vector<CurvePoint>> measure(const MeshView& mesh, const LodChain& ch
 
 } // namespace
 
-Result<LevelCurve> levelCurve(const MeshView& mesh)
+Result<LevelCurve> levelCurve(const MeshView& mesh, double radius)
 {
-    const Result<LodChain> asItIs = simplify(mesh, {});
-    if (!asItIs)
-        return asItIs.error();
-    const std::vector<LevelTarget> targets = risingDeviations(asItIs.value().radius);
+    const std::vector<LevelTarget> targets = risingDeviations(radius);
     const Result<LodChain> chain = simplify(mesh, targets);
     if (!chain)
         return chain.error();

@@ -24,6 +24,7 @@ struct LevelCurve {
 
 /// Simplifies a mesh with the usual settings, and once more its mere shape, without normals, texture coordinates,
 /// colours and bones. Errors: those of simplify() and measureDeviation().
-Result<LevelCurve> levelCurve(const MeshView& mesh);
+/// @param radius of the mesh, MeshStatistics::radius
+Result<LevelCurve> levelCurve(const MeshView& mesh, double radius);
 
 } // namespace lodsmith::cli

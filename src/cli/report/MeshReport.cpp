@@ -207,7 +207,7 @@ Result<Done> MeshReporter::addCost()
 
 Result<Done> MeshReporter::measureCurve()
 {
-    const Result<LevelCurve> curve = levelCurve(mLevelZero->view());
+    const Result<LevelCurve> curve = levelCurve(mLevelZero->view(), mRadius);
     if (!curve)
         return curve.error();
     mRecord["curve"] = Json::array();
